@@ -207,12 +207,12 @@ impl SceneReader<'_> {
             f.at(n, "a scene has at least one body");
         }
         let ties = fields.get("ties").map_or_else(Vec::new, |n| self.ties(n, &bodies));
+        let start_node = fields.get("start");
+        let start = start_node.map_or_else(Vec::new, |n| self.start(n, &mut bodies));
         let mut joints = fields.get("joints").map_or_else(Vec::new, |n| self.joints(n, &bodies));
         joints.extend(bodies.iter().enumerate().filter_map(|(i, body)| body.pin(i)));
         let forces = fields.get("forces").map_or_else(Forces::default, |n| self.forces(n, &mut bodies));
         let Forces { couples, pushes, struts } = forces;
-        let start_node = fields.get("start");
-        let start = start_node.map_or_else(Vec::new, |n| self.start(n, &mut bodies));
         let end_node = fields.need("end", "{travel: {of: wheel, by: d}}");
         let end = end_node.and_then(|n| self.end(n, &bodies, &ties, &joints));
         let stays = end_node.is_some_and(|n| n.field("stops slipping").is_some());

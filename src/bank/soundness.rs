@@ -212,8 +212,13 @@ fn carrier(scene: &Scene, node: &Node, faults: &Faults) {
     let particles = scene.bodies.iter().any(|b| !b.particles.is_empty());
     let on_surface = scene.bodies.iter().any(|b| b.line.is_some_and(|l| l.surface));
     let unclear = fast && scene.start.is_empty() && on_surface;
+    let hanging = |b: &&Body| b.line.is_some_and(|l| l.slope == Slope::Vertical && !l.surface);
+    let hangs = scene.bodies.iter().find(hanging).map(|b| b.name.as_str());
+    let aside = carrier.slope != Slope::Vertical && carrier.acceleration_m_s2 != Num::Fixed(0.0);
     #[rustfmt::skip] // a table
-    let rules: [SceneRule; 6] = [
+    let rules: [SceneRule; 7] = [
+        (hangs.filter(|_| aside), "carried", "`{}` moves vertically, and nothing gives it an acceleration sideways",
+            "let it move along a surface of `slope: 90 deg`, which guides it, or write `moves: in the plane` for what swings back"),
         (is(scene.lies_level() && carrier.slope == Slope::Vertical), "carried", "a lift moves across a horizontal plane, not in it",
             "leave `carried` out: nothing in that plane is changed by it"),
         (Some(name).filter(|_| pinned), "carried", "`{}` is pinned, and the scene is carried",

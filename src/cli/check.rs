@@ -108,7 +108,7 @@ pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
         if args.reveal && !right {
             if problem.bank.reveal {
                 let label = problem.problem().questions[p].label;
-                let signs = statement::direction_words(words, problem.scene(), label);
+                let signs = statement::sense_words(words, problem.scene(), label);
                 let answer = right_answer(words, entry, signs);
                 row.push(words.say("feedback.shown", &[("answer", &answer)]));
             } else {

@@ -153,7 +153,7 @@ fn solution(problem: &Problem, variant: &Variant, key: &ProblemKey, words: &Word
         io.line(&format!("  {}", sentences::regime(words, variant.solved.regime)));
     }
     for (question, entry) in problem.questions.iter().zip(&key.parts) {
-        let signs = statement::direction_words(words, scene, question.label);
+        let signs = statement::sense_words(words, scene, question.label);
         io.line(&format!("  {} = {}", entry.part, sentences::right_answer(words, entry, signs)));
     }
     // The conditions are told in English only.

@@ -77,8 +77,7 @@ fn of_question(export: &Export, problem: &Problem, question: &Question) -> Vec<S
             _ => format!("a number in {asked}, the unit not typed, no other one ({some} ...)"),
         });
     }
-    let sign_in_words = problem.cases.iter().any(|case| make_key::offers_words(&case.scene, question.label));
-    if question.label.quantity.is_directed() && sign_in_words {
+    if problem.cases.iter().any(|case| make_key::sense_words(&case.scene, question.label).is_some()) {
         lost.push("signed, no direction in words".to_owned());
     }
     lost

@@ -67,7 +67,8 @@ pub fn separator(view: &SceneView) -> &'static str {
 
 /// A direction on the board, in words.
 fn way(view: &SceneView, towards: Vec2, incline: bool) -> String {
-    let name = if incline {
+    // A drawn slope may be none.
+    let name = if incline && towards.y.abs() > 1e-9 {
         if towards.y > 0.0 { "up_incline" } else { "down_incline" }
     } else if towards.x.abs() > towards.y.abs() {
         if towards.x > 0.0 { "right" } else { "left" }

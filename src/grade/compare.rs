@@ -229,9 +229,7 @@ fn compare_number<'w>(
     if number.notes.contains(&ReadingNote::About) {
         notes.push(Cow::Borrowed(say.get("feedback.about")));
     }
-    // Of a number that is positive down the sheet asks no direction; a word that contradicts it counts all the same.
-    let idle = key.words.is_none() || (key.magnitude && verdict != Verdict::WrongDirection);
-    let passed_over = number.word.filter(|_| idle);
+    let passed_over = number.word.filter(|_| key.words.is_none());
     if passed_over.is_some_and(AnswerWord::turns) {
         notes.push(Cow::Borrowed(say.get("feedback.turning")));
     }

@@ -557,13 +557,13 @@ fn misplaced(scene: &Scene, refusal: &Refusal) -> String {
 }
 
 /// The right answer of a key, rounded for a person: `30.26 rad/s`, `62.6 N up`, `yes`.
-pub fn right_answer(words: &Words, entry: &KeyEntry, signs: [&str; 2]) -> String {
+pub fn right_answer(words: &Words, entry: &KeyEntry, signs: Option<[&str; 2]>) -> String {
     match &entry.answer {
         Answer::Word { right, .. } => words.of_key(right).to_owned(),
-        Answer::Number { value, directed, .. } => {
+        Answer::Number { value, .. } => {
             let value = entry.unit.from_si(*value);
-            if *directed && value != 0.0 {
-                let word = if value > 0.0 { signs[0] } else { signs[1] };
+            if let Some([positive, negative]) = signs.filter(|_| value != 0.0) {
+                let word = if value > 0.0 { positive } else { negative };
                 let number = words.number(&rounded(value.abs(), 4));
                 format!("{} {word}", entry.unit.text_with(&number))
             } else {

@@ -4,7 +4,7 @@ use crate::bank::{Problem, Question};
 use crate::key::{Answer, Given, KeyEntry, KeyFollow, ProblemKey, WordSigns, WrongValue};
 use crate::num::trig;
 use crate::problem::variant::Variant;
-use crate::scene::{Body, JointKind, Label, Num, Owner, Quantity, Scene, Slope, Straight, Tie};
+use crate::scene::{Body, JointKind, Label, Owner, Quantity, Scene, Slope, Tie};
 use crate::solve::outcome::{Entry, Motion, Solved};
 use std::sync::Arc;
 
@@ -80,11 +80,10 @@ impl<'p> KeyFrame<'p> {
         let scene = &problem.cases[variant.case].scene;
         let parts = problem.questions.iter().map(|question| {
             let mut entry = entry(problem, question, scene, variant);
-            let magnitude = scene.is_magnitude(question.label);
             entry.wrong.extend(variant.wrong.iter().filter(|w| w.label == question.label).map(|w| {
                 WrongValue {
                     method: u16::try_from(w.mistake).unwrap_or(u16::MAX),
-                    value: if magnitude { w.value.abs() } else { w.value },
+                    value: scene.as_asked(w.label, w.value),
                 }
             }));
             entry
@@ -127,17 +126,15 @@ fn entry(problem: &Problem, question: &Question, scene: &Scene, variant: &Varian
             key.gap = e.gap();
             key.cond = Some(e.cond);
             key.bound = e.bound;
-            (e.value(), e.scale)
+            (scene.as_asked(question.label, e.value()), e.scale)
         }
         None => (f64::NAN, 0.0),
     };
-    let words = offers_words(scene, question.label);
     key.answer = Answer::Number {
         value,
         half_width: half_width(question, value, scale, key.cond.unwrap_or(f64::NAN)),
-        directed: quantity.is_directed() && words,
-        // Where sheets do not speak of signs, no minus is asked of a number that is positive down.
-        magnitude: scene.is_magnitude(question.label) || (quantity.is_directed() && !words && value >= 0.0),
+        directed: quantity.is_directed(),
+        magnitude: scene.is_magnitude(question.label),
         words: word_signs(scene, question.label),
         cyclic: quantity == Quantity::PinAngle,
     };
@@ -186,15 +183,18 @@ const fn may_vanish(quantity: Quantity) -> bool {
     }
 }
 
-/// Do sheets say that a word may give the sign? Friction is positive up the incline in every scene; an acceleration or a
-/// displacement is positive forward, so not where positive is down: there `up` would mean a minus.
-pub fn offers_words(scene: &Scene, label: Label) -> bool {
-    let body = match scene.owner(label) {
-        Owner::Body(b) => Some(b),
-        _ => scene.bare_body(),
-    };
-    !matches!(label.quantity, Quantity::A | Quantity::ARolling | Quantity::Displacement)
-        || body.and_then(|b| scene.bodies.get(b)).and_then(|b| b.line).is_none_or(|line| line.forward_up)
+/// The words that give the sign of a quantity of this label, the positive one first; `None` of a magnitude, and where none tells it.
+pub fn sense_words(scene: &Scene, label: Label) -> Option<[&'static str; 2]> {
+    let signs = word_signs(scene, label)?;
+    let forward = if label.quantity.is_directed() { signs.forward } else { 0 };
+    let senses = [
+        (signs.up, ["up", "down"]),
+        (forward, ["forward", "back"]),
+        (signs.right, ["right", "left"]),
+        (signs.counter_clockwise, ["counter_clockwise", "clockwise"]),
+    ];
+    let (sign, [one, other]) = senses.into_iter().find(|(sign, _)| *sign != 0)?;
+    Some(if sign > 0 { [one, other] } else { [other, one] })
 }
 
 /// What words of direction say of the sign of a quantity; `None` where they are passed over: of a magnitude, and of a tension,
@@ -226,17 +226,14 @@ pub fn word_signs(scene: &Scene, label: Label) -> Option<WordSigns> {
         (Q::Friction, Some(kind)) if kind.is_level(&scene.bodies) => WordSigns { right: 1, ..forward },
         (Q::Friction, Some(_)) => up,
         // To the left of the guide.
-        (
-            Q::Normal,
-            Some(JointKind::Guide {
-                line: Straight { on: None, direction_deg: Num::Fixed(along), .. }, ..
-            }),
-        ) => {
-            let sign = |angle: f64| match angle.rem_euclid(360.0) {
-                at if at % 180.0 == 0.0 => 0,
-                at => sign(at < 180.0),
-            };
-            WordSigns { up: sign(along + 90.0), right: sign(along + 180.0), ..nothing }
+        (Q::Normal | Q::Impulse, Some(JointKind::Guide { line, .. })) => {
+            line.fixed_deg(&scene.bodies).map_or(nothing, |along| {
+                let sign = |angle: f64| match angle.rem_euclid(360.0) {
+                    at if at % 180.0 == 0.0 => 0,
+                    at => sign(at < 180.0),
+                };
+                WordSigns { up: sign(along + 90.0), right: sign(along + 180.0), ..nothing }
+            })
         }
         (Q::VX | Q::AX | Q::ImpulseX | Q::PinX | Q::XG, _) => right,
         (Q::VY | Q::AY | Q::ImpulseY | Q::PinY | Q::YG | Q::Rise, _) => up,

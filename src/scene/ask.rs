@@ -2,8 +2,8 @@
 use crate::num::Real;
 use crate::num::half::Half;
 use crate::scene::{
-    Body, Coordinate, Cord, Degree, End, Far, Joint, JointKind, Made, Num, Numbers, Planar, Scene, Slope,
-    Spot, SpringTie, Straight, Strut, StrutEnd, Surface, Tie,
+    Acts, Body, Coordinate, Cord, Degree, End, Far, Joint, JointKind, Made, Num, Numbers, Planar, Scene,
+    Slope, Spot, SpringTie, Straight, Strut, StrutEnd, Surface, Tie,
 };
 use std::borrow::Cow;
 
@@ -485,15 +485,46 @@ impl Scene {
             _ => "m",
         }
     }
-    /// Is this a number that is never negative, or no number at all? The normal force of a guide that holds on both sides is
-    /// positive to the left of its direction, a force along a rim to the right of the direction out of what it meshes with.
+    /// Is this asked as a number that is never negative, or no number at all? The normal force of a fixed guide that holds on both
+    /// sides has a sense that words tell; of one that a body carries, or that is drawn, and of a force along a rim the size is asked.
+    /// A spring that pushes, too, may be shortened at equilibrium.
     pub fn is_magnitude(&self, label: Label) -> bool {
-        let two_sided = match label.of {
-            Owner::Joint(j) => matches!(self.joints.get(j), Some(joint) if !joint.kind.only_pushes()),
+        let joint = match label.of {
+            Owner::Joint(j) => self.joints.get(j).map(|joint| joint.kind),
+            _ => None,
+        };
+        let line = match joint {
+            Some(JointKind::Guide { line, one_sided: false, .. }) => Some(line),
+            _ => None,
+        };
+        let fixed = line.is_some_and(|line| line.fixed_deg(&self.bodies).is_some());
+        let signed = match label.quantity {
+            Quantity::Normal => fixed,
+            Quantity::XEq => self.springs().any(|spring| spring.rigid),
             _ => false,
         };
-        let signed = matches!(label.quantity, Quantity::Normal | Quantity::RimForce);
-        label.quantity.is_magnitude() && !(two_sided && signed)
+        label.quantity.is_magnitude() && !signed
+    }
+    /// Does what has this tension push as well as it pulls?
+    pub fn may_push(&self, label: Label) -> bool {
+        label.quantity == Quantity::Tension
+            && match label.of {
+                Owner::Tie(t) => matches!(
+                    self.ties.get(t),
+                    Some(Tie::Cord(
+                        Cord { made: Made::Link, .. } | Cord { to: Far::Spring { rigid: true, .. }, .. }
+                    ))
+                ),
+                Owner::Joint(j) => {
+                    matches!(self.joints.get(j), Some(Joint { kind: JointKind::Cord { rod: true, .. }, .. }))
+                }
+                Owner::Strut(s) => self.struts.get(s).is_some_and(|strut| strut.acts == Acts::Both),
+                _ => false,
+            }
+    }
+    /// A value of this as it is asked: only its size where that alone counts.
+    pub fn as_asked(&self, label: Label, value: f64) -> f64 {
+        if self.is_magnitude(label) { value.abs() } else { value }
     }
     /// All coordinates: the lines, and the turns. A body of particles moves freely in the plane and has none.
     pub fn coordinates(&self) -> impl Iterator<Item = Coordinate> {

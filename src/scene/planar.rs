@@ -192,6 +192,24 @@ pub struct Straight {
     pub direction_deg: Num,
 }
 
+impl Straight {
+    /// Its direction, degrees counter-clockwise from the right; `None` where that is drawn, or changes with a body that turns.
+    pub fn fixed_deg(&self, bodies: &[Body]) -> Option<f64> {
+        let Num::Fixed(own) = self.direction_deg else { return None };
+        let Some(on) = self.on else { return Some(own) };
+        let body = bodies.get(on.body).filter(|body| !body.turns)?;
+        let planar = body.planar.as_ref()?;
+        let Num::Fixed(angle) = planar.start_deg.unwrap_or(Num::Fixed(0.0)) else { return None };
+        let axis = match planar.from {
+            Ray::Right => 0.0,
+            Ray::Up => 90.0,
+            Ray::Left => 180.0,
+            Ray::Down => -90.0,
+        };
+        Some(axis + if planar.clockwise { -angle } else { angle } + own)
+    }
+}
+
 /// A surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Surface {
@@ -227,13 +245,9 @@ impl JointKind {
             _ => &[Quantity::Impulse],
         }
     }
-    /// Is it a level line in every draw, on the ground or on one of these bodies that stays level?
+    /// Is it a level line in every draw, on the ground or on one of these bodies?
     pub fn is_level(&self, bodies: &[Body]) -> bool {
-        let Some(Straight { on, direction_deg: Num::Fixed(at), .. }) = self.line() else { return false };
-        let stays = |body: &Body| {
-            !body.turns && body.planar.as_ref().is_some_and(|p| p.from == Ray::Right && p.start_deg.is_none())
-        };
-        at % 180.0 == 0.0 && on.is_none_or(|on| stays(&bodies[on.body]))
+        self.line().and_then(|line| line.fixed_deg(bodies)).is_some_and(|at| at % 180.0 == 0.0)
     }
     /// Can it only push, so that its point can leave it?
     pub const fn only_pushes(&self) -> bool {

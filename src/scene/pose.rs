@@ -12,6 +12,7 @@ use crate::num::half::Half;
 use crate::num::jet::Followed;
 use crate::num::plant::plant;
 use crate::num::{Jet, Real, U, root, trig};
+use crate::scene::numbers::BodyNumbers;
 use crate::scene::pose::plan::Planner;
 use crate::scene::{
     Coordinate, Degree, End, Joint, JointKind, Num, Numbers, Place, Planar, Ray, Rest, Scene, Spot, Straight,
@@ -493,8 +494,11 @@ pub fn size<T: Real>(scene: &Scene, n: &Numbers<T>) -> f64 {
         _ => 0.0,
     });
     let sum = rods + round.sum::<f64>();
-    // A disc about its centre reaches nowhere: it has a radius of gyration.
-    if sum > 0.0 { sum } else { n.bodies.iter().map(|b| (b.inertia / b.mass).root().size()).sum() }
+    // A disc about its centre reaches nowhere: it has a radius of gyration; a block that does not turn is where it is placed.
+    let gyration = |b: &BodyNumbers<T>| (b.inertia / b.mass).root().size();
+    let placed = scene.bodies.iter().filter_map(|b| b.planar.as_ref()?.origin_m).flatten();
+    let spread = || n.bodies.iter().map(gyration).chain(placed.map(|x| n.get(x).size())).sum();
+    if sum > 0.0 { sum } else { spread() }
 }
 
 /// Where everything is when the leading body has turned to this angle; `None` for a body that the joints do not place.

@@ -395,26 +395,9 @@ impl<'b> Statement<'b> {
     }
 }
 
-/// Words that may give the direction of a quantity of this label: up and down where they tell it, else forward and back.
-pub fn direction_words<'w>(words: &'w Words, scene: &Scene, label: Label) -> [&'w str; 2] {
-    let slopes = make_key::word_signs(scene, label).is_some_and(|signs| signs.up != 0);
-    let both = if slopes { ["sheet.up", "sheet.down"] } else { ["sheet.forward", "sheet.back"] };
-    both.map(|word| words.get(word))
-}
-
-/// Words that give the sign of what is told to the right, up, or in a sense of turning, the positive one first.
-fn sense_words(scene: &Scene, label: Label) -> Option<[&'static str; 2]> {
-    if label.quantity.is_directed() {
-        return None;
-    }
-    let signs = make_key::word_signs(scene, label)?;
-    let senses = [
-        (signs.right, ["sheet.right", "sheet.left"]),
-        (signs.up, ["sheet.up", "sheet.down"]),
-        (signs.counter_clockwise, ["sheet.counter_clockwise", "sheet.clockwise"]),
-    ];
-    let (sign, [one, other]) = senses.into_iter().find(|(sign, _)| *sign != 0)?;
-    Some(if sign > 0 { [one, other] } else { [other, one] })
+/// Words that give the sign of a quantity of this label, the positive one first; `None` where none does.
+pub fn sense_words<'w>(words: &'w Words, scene: &Scene, label: Label) -> Option<[&'w str; 2]> {
+    Some(make_key::sense_words(scene, label)?.map(|word| words.get(&format!("sheet.{word}"))))
 }
 
 /// How an answer is to be written, with this relative tolerance: `in N, signed or with up / down`.
@@ -426,7 +409,6 @@ fn form(
     common: &Common,
     within: f64,
 ) -> String {
-    let [forward, back] = direction_words(words, scene, q.label);
     if q.label.quantity.is_word() {
         let list = make_key::offered(problem, q.label.quantity, scene);
         let said: Vec<&str> = list.iter().map(|word| words.of_key(word)).collect();
@@ -446,14 +428,15 @@ fn form(
         }
     };
     let mut add = |more: &str| text.extend([", ", more]);
-    if q.label.quantity.is_directed() && make_key::offers_words(scene, q.label) {
-        add(&words.say("sheet.signed", &[("forward", forward), ("back", back)]));
-    } else if let Some([positive, negative]) = sense_words(scene, q.label) {
-        let [positive, negative] = [positive, negative].map(|word| words.get(word));
+    if let Some([positive, negative]) = sense_words(words, scene, q.label) {
         add(&words.say("sheet.signed", &[("forward", positive), ("back", negative)]));
     }
-    if let Some(range) = range(scene, q) {
-        add(words.get(range));
+    let both_ways = match q.label.quantity {
+        Quantity::XEq if !scene.is_magnitude(q.label) => Some("sheet.stretched"),
+        _ => scene.may_push(q.label).then_some("sheet.pulls"),
+    };
+    for phrase in both_ways.into_iter().chain(range(scene, q)) {
+        add(words.get(phrase));
     }
     if q.figures != common.figures {
         add(&words.say("sheet.figures", &[("n", &q.figures.to_string())]));

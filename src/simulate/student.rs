@@ -1,8 +1,9 @@
 //! One student of a made-up class at work on a sheet: what is handed in for each part, attempt by attempt, and what was really done.
 use crate::bank::Problem;
 use crate::key::{Answer, KeyEntry, ProblemKey};
+use crate::problem::make_key;
 use crate::problem::maker::Variant;
-use crate::scene::{Label, Owner, Slope};
+use crate::scene::Label;
 use crate::simulate::chance::Chance;
 use crate::simulate::habits::Habits;
 use crate::simulate::truth::{TrueKind, Truth};
@@ -63,15 +64,15 @@ impl<'s> WorkedPart<'s> {
     fn label(&self) -> Option<Label> {
         self.problem.questions.get(self.index).map(|q| q.label)
     }
-    /// Do words for its direction say `forward` and `back`?
-    fn level(&self) -> bool {
+    /// Do words for its direction say `forward` and `back`? `None` where no word does, or `up` would mean a minus.
+    fn level(&self) -> Option<bool> {
         let scene = &self.problem.cases[self.variant.case].scene;
-        let body = match self.label().map(|l| scene.owner(l)) {
-            Some(Owner::Body(b)) => Some(b),
-            _ => scene.bare_body(),
-        };
-        let line = body.and_then(|b| scene.bodies.get(b)).and_then(|b| b.line);
-        line.is_none_or(|l| l.slope == Slope::Level)
+        let words = make_key::sense_words(scene, self.label().filter(|l| l.quantity.is_directed())?)?;
+        match words[0] {
+            "up" => Some(false),
+            "forward" => Some(true),
+            _ => None,
+        }
     }
 }
 
@@ -320,9 +321,9 @@ impl<'h> SimulatedStudent<'h> {
             TrueKind::UnitSlip | TrueKind::WrongUnit | TrueKind::OtherPart | TrueKind::TypingError => cell,
             _ => written::in_habit(cell, unit, written, figures, &mut self.chance),
         };
-        match part.entry().answer {
-            Answer::Number { directed: true, .. } if by_word => written::by_word(cell, part.level()),
-            _ => cell,
+        match part.level().filter(|_| by_word) {
+            Some(level) => written::by_word(cell, level),
+            None => cell,
         }
     }
 }

@@ -45,8 +45,7 @@ fn chosen<'c>(draft: &Draft, catalogue: &'c Catalogue) -> Vec<(usize, &'c Catalo
         };
         let spoilt = questions.iter().enumerate().find_map(|(at, q)| {
             let wrong = draft.variant.wrong.iter().find(|w| w.mistake == index && w.label == q.label)?;
-            let magnitude = draft.scene.is_magnitude(q.label);
-            let wrong = told(draft, q, if magnitude { wrong.value.abs() } else { wrong.value });
+            let wrong = told(draft, q, draft.scene.as_asked(q.label, wrong.value));
             let told = all.iter().any(|(_, of, _, known)| *of == at && *known == wrong);
             (!told && right[at].as_ref() != Some(&wrong)).then_some((at, wrong))
         });

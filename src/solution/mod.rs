@@ -309,8 +309,10 @@ fn answers(draft: &Draft, number: usize) -> Vec<(String, String)> {
 fn told(draft: &Draft, q: &Question, value: f64) -> String {
     let digits = shown::significant(q.unit.from_si(value), usize::from(q.figures));
     let whole = q.unit.tex_with(&tex_digits(&digits, draft.words));
-    let directed = q.label.quantity.is_directed() && make_key::offers_words(draft.scene, q.label);
-    let way = if directed { way(draft.scene, q.label.of, value) } else { None };
+    let senses = make_key::sense_words(draft.scene, q.label).filter(|_| q.label.quantity.is_directed());
+    // `way` counts up the line, or to the right.
+    let up = senses.map(|[positive, _]| if matches!(positive, "up" | "forward") { value } else { -value });
+    let way = up.and_then(|up| way(draft.scene, q.label.of, up));
     format!("${whole}${}", way.map_or_else(String::new, |w| format!(" ({})", draft.words.get(w))))
 }
 

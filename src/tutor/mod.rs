@@ -331,16 +331,17 @@ impl<'a, 'w> Tutor<'a, 'w> {
         entry: &KeyEntry,
         did: &str,
     ) -> Option<(String, bool)> {
-        let magnitude = self.problem.cases.get(self.variant.case)?.scene.is_magnitude(label);
+        let scene = &self.problem.cases.get(self.variant.case)?.scene;
         let here = self.variant.solved.get(label)?;
         let before = self.wrong(method, label);
         let mut odd: Option<(u8, Limit, f64)> = None;
         let mut apart: Option<(u8, Limit, Trend)> = None;
         for (limit, data, solved) in self.limits() {
-            let Some(right) = solved.get(label).map(Entry::value).filter(|r| r.is_finite()) else { continue };
+            let right = solved.get(label).map(|right| scene.as_asked(label, right.value()));
+            let Some(right) = right.filter(|r| r.is_finite()) else { continue };
             let at = (method, label);
             let value = misconception::value(self.problem, self.variant.case, (&data, &solved), at);
-            let Some(value) = value.map(|v| if magnitude { v.abs() } else { v }) else { continue };
+            let Some(value) = value.map(|v| scene.as_asked(label, v)) else { continue };
             let size = value.abs().max(right.abs());
             // A difference that nobody sees tells nothing.
             if (value - right).abs() <= TELLING * size {

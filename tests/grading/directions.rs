@@ -10,7 +10,7 @@ use slipstick::grade::table::KeyTable;
 use slipstick::grade::verdict::{Judgement, Verdict};
 use slipstick::key::{Answer, KeyEntry, ProblemKey, SheetKey};
 use slipstick::problem::maker::Maker;
-use slipstick::sheet::statement::direction_words;
+use slipstick::sheet::statement::sense_words;
 use slipstick::words::Words;
 
 /// The key of a scene of which these questions are asked: `a: m/s^2`, or `wall: {quantity: floor.friction, unit: N}`.
@@ -249,7 +249,31 @@ fn a_tension_is_no_direction() {
     }
 }
 
-/// Two words stand on the sheet beside each answer that has a direction: the one is right where its number is, the other where it
+/// A spring that also pushes is shortened at equilibrium by a block that it holds from below: stretch and force have a sign, and
+/// where the block's forward is down, words tell the signs of what goes along the incline.
+#[test]
+fn a_spring_that_pushes_has_signs() {
+    let key = key(
+        "
+      surfaces: {i: {slope: 30 deg}}
+      bodies: {b: {mass: m, moves: along i, positive: down}}
+      ties: [cord: {name: spring, from: {body: b, tied at: centre, leaves: forward}, spring: {stiffness: 100 N/m, stretch: 0 m, attached: rigidly}}]
+      start: at rest
+      end: {travel: {of: b, by: 0.01 m}}",
+        "x_eq: mm; tension: N; a: m/s^2; displacement: m",
+    );
+    let verdict = |part: usize, cell: &str| compare(cell, &key.parts[part]).verdict;
+    assert_eq!(
+        [verdict(0, "-147.15 mm"), verdict(0, "147.15 mm")],
+        [Verdict::Right, Verdict::WrongDirection]
+    );
+    for part in [2, 3] {
+        let [down, up, bare] = ["down", "up", ""].map(|word| verdict(part, &sized(&key.parts[part], word)));
+        assert_eq!([down, up, bare], [Verdict::Right, Verdict::WrongDirection, Verdict::Right]);
+    }
+}
+
+/// Two words stand on the sheet beside each answer that has a sign: the one is right where its number is, the other where it
 /// is not.
 #[test]
 fn the_words_that_sheets_offer_fit() {
@@ -262,15 +286,13 @@ fn the_words_that_sheets_offer_fit() {
                 let key = maker.key(&variant);
                 let scene = &problem.cases[variant.case].scene;
                 for (entry, question) in key.parts.iter().zip(&problem.questions) {
-                    let Answer::Number { value, half_width, directed: true, .. } = entry.answer else {
-                        continue;
-                    };
+                    let Answer::Number { value, half_width, .. } = entry.answer else { continue };
                     if value.abs() <= 2.0 * half_width {
                         continue;
                     }
                     for language in ["en", "de"] {
                         let words = Words::built_in(language).unwrap();
-                        let said = direction_words(words, scene, question.label);
+                        let Some(said) = sense_words(words, scene, question.label) else { continue };
                         let [first, second] = said.map(|w| judged(entry, &sized(entry, w), language).verdict);
                         let signs = [Verdict::Right, Verdict::WrongDirection];
                         let want = if value > 0.0 { signs } else { [signs[1], signs[0]] };

@@ -7,7 +7,9 @@ use crate::support::program::{self, Ran, Room};
 use crate::tex;
 use slipstick::bank::{Datum, Question, load};
 use slipstick::cli::tell::Exit;
+use slipstick::key::Answer;
 use slipstick::num::trig;
+use slipstick::problem::make_key::KeyFrame;
 use slipstick::problem::maker::Maker;
 use slipstick::solution;
 use slipstick::solution::draft::Detail;
@@ -574,4 +576,27 @@ fn gears_and_what_light_rods_guide_are_worked() {
             }
         }
     }
+}
+
+/// The sense of a force between teeth is told by no word of a sheet: its size is asked, whichever way the arm goes.
+#[test]
+fn a_force_whose_sense_no_word_tells_is_asked_without_a_sign() {
+    let keys = ["from right", "from right clockwise"].map(|from| {
+        let bank = load::scenes_only(
+            &GUIDED.replace("angle: from right}", &format!("angle: {from}}}")),
+            "guided.yaml",
+        )
+        .unwrap_or_else(|f| panic!("{f:?}"));
+        let problem = &bank.problems[0];
+        let variant = Maker::new(problem, 7, "guided").variant("0").expect("a variant");
+        let label = problem.questions.iter().find(|q| q.id == "force").unwrap().label;
+        let key = KeyFrame::new(problem).key(&variant);
+        let part = key.parts.iter().find(|part| part.part == "force").unwrap();
+        let Answer::Number { value, magnitude, words: None, .. } = part.answer else {
+            panic!("{:?}", part.answer)
+        };
+        assert!(magnitude && value > 0.0, "{value}");
+        variant.solved.get(label).unwrap().value().signum() * value
+    });
+    assert!(keys[0] * keys[1] < 0.0 && (keys[0] + keys[1]).abs() < 1e-12 * keys[0].abs(), "{keys:?}");
 }

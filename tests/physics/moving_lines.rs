@@ -86,7 +86,9 @@ fn a_block_that_slides_on_a_cart() {
 /// `A = m g sin cos/(M + m sin^2)`, to the right, of a wedge that rises to the right and has a block sliding down on it.
 #[test]
 fn a_block_on_a_wedge_that_is_free() {
-    let bodies = format!("{PLANK}\n        block: {{mass: 2 kg, moves: in the plane, placed: [0 m, 0 m]}}");
+    let bodies = format!(
+        "{PLANK}\n        block: {{mass: 2 kg, moves: in the plane, placed: [0.5196152422706632 m, 0.3 m]}}"
+    );
     let joints = "        floor: {guides: plank, along: horizontal, pushes: up}
         slope: {slides: block, on: plank, along: 30 deg}";
     let found = told(&bodies, joints, "", ["plank.a_x", "block.a_x", "block.a_y", "slope.normal"]);
@@ -95,6 +97,34 @@ fn a_block_on_a_wedge_that_is_free() {
     // Its acceleration down the wedge, seen from that.
     let down = G * s + wedge * c;
     near(found, [wedge, wedge - down * c, -down * s, 10.0 * wedge / s]);
+}
+
+/// `pushes:` is told in space: whichever way the axis of a cart points that carries the line, a block lies on it, and would have to hang
+/// from it where it pushes down. A word for a direction in space is none for a line that goes with a body.
+#[test]
+fn a_line_on_a_cart_pushes_where_it_is_said_to() {
+    let on = |from: &str, line: &str| {
+        let bodies = format!(
+            "        cart: {{mass: 5 kg, moves: in the plane, angle: {from}, placed: [0 m, 0 m]}}
+        block: {{mass: 3 kg, moves: in the plane, placed: [0 m, 0 m]}}"
+        );
+        let joints = format!(
+            "        floor: {{guides: cart, along: horizontal, pushes: up}}
+        x: {{guides: block, on: cart, {line}}}"
+        );
+        (bodies, joints)
+    };
+    for (from, along) in
+        [("from right", 0), ("from left clockwise", 0), ("from up clockwise", -90), ("from hanging", 90)]
+    {
+        for (pushes, normal) in [("up", 3.0 * G), ("down", -3.0 * G)] {
+            let (bodies, joints) = on(from, &format!("along: {along} deg, pushes: {pushes}"));
+            near(told(&bodies, &joints, "", ["x.normal", "block.a_x", "block.a_y"]), [normal, 0.0, 0.0]);
+        }
+        let (bodies, joints) = on(from, "along: horizontal");
+        let refused = read(&bodies, &joints, "").expect_err("a word for a direction in space");
+        assert!(refused[0].contains("a line that a body carries goes with it"), "{refused:?}");
+    }
 }
 
 /// A bead without friction and a cylinder that rolls, each on a bar about a pin: by Lagrange, `(I + m s^2) theta'' = -(M L/2 + m s) g cos`

@@ -840,6 +840,38 @@ fn a_period_about_an_equilibrium_can_be_measured() {
     assert!(told["quantities"]["phi"]["bound"].as_f64().unwrap() < 1e-13, "{}", ran.out);
 }
 
+/// A load that hangs in a truck swings back while the truck gains speed; along a wall it does not.
+#[test]
+fn what_hangs_in_a_truck_is_given_no_acceleration_by_nothing() {
+    let room = Room::new();
+    let truck = |surfaces: &str, moves: &str| {
+        constant(
+            "m, draw: always 1",
+            &format!(
+                "{surfaces}bodies:\n  drum: {{mass: 4 kg, shape: {{disc: 0.2 m}}, moves: about a fixed axle}}\n  load: {{mass: 2 kg, moves: {moves}, positive: down}}\n\
+                 carried: {{along: horizontal, acceleration: -3 m/s^2}}\n\
+                 ties: [cord: {{from: {{body: load, tied at: centre, leaves: up}}, to: {{body: drum, wound on: rim, leaves: back down}}}}]\n\
+                 start: at rest\nend: {{travel: {{of: load, by: 1 m}}}}"
+            ),
+            "{quantity: load.a, ask: the acceleration, unit: m/s^2}",
+        )
+    };
+    let solved = |text: &str| {
+        fs::write(room.path("bank.yaml"), text).unwrap();
+        room.run(&["solve", &room.path("bank.yaml"), "p"])
+    };
+    let hangs = solved(&truck("", "vertically"));
+    assert_eq!(hangs.exit, Exit::Faulty, "{}", hangs.out);
+    assert!(
+        hangs.err.contains("`load` moves vertically, and nothing gives it an acceleration sideways"),
+        "{}",
+        hangs.err
+    );
+    let guided = solved(&truck("surfaces: {wall: {slope: 90 deg}}\n", "along wall"));
+    assert_eq!(guided.exit, Exit::Fine, "{}", guided.err);
+    assert!(guided.out.contains("4.90500000000"), "{}", guided.out);
+}
+
 /// The greatest acceleration of a truck on which a crate does not tip, `A = g b / (2 h)`: the force on the front edge is measured to be 0,
 /// and rounding does not decide whether that presses.
 #[test]

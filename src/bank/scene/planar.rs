@@ -281,6 +281,13 @@ impl SceneReader<'_> {
         fields: &mut Fields,
         bodies: &[Body],
     ) -> Option<Straight> {
+        if let (Some(_), Some(n)) = (on, along)
+            && LINES.iter().any(|(word, _)| n.text().map(str::trim) == Some(*word))
+        {
+            let hint = "tell the angle counter-clockwise from the axis of that body, such as `along: 0 deg`";
+            self.faults.hint(n, "a line that a body carries goes with it", hint);
+            return None;
+        }
         let direction_deg = along.map_or(Some(Num::Fixed(0.0)), |n| self.direction(n, &LINES));
         let (on, through) = match on {
             Some(n) => (Some(self.spot(n, bodies)?), None),
@@ -308,35 +315,34 @@ impl SceneReader<'_> {
         let pushes_node = fields.get("pushes");
         let pushes = pushes_node.and_then(|n| self.word(n, "whither it pushes", &words));
         let mu_k = self.optional(fields, "mu_k", Need::FRICTION);
-        if let (true, Some(Straight { on: Some(on), .. }), Some(node)) = (WHOLE, Some(&line), pushes_node)
-            && bodies[on.body].turns
-        {
-            let hint = "leave `pushes` away: the normal force is positive to the left of the line, and its sign tells which side presses";
-            f.hint(node, "a line on a body that turns has no side that is up or down", hint);
-        }
         let mut reversed = false;
         if let (Some(pushes), Some(node)) = (pushes, pushes_node) {
             // The normal force is positive to the left of the direction.
-            match (line.direction_deg, pushes) {
-                (Num::Fixed(d), pushes) => {
-                    let (sine, cosine) = crate::num::trig::sin_cos_degrees(d);
+            match (line.fixed_deg(bodies), line.direction_deg, pushes) {
+                (Some(in_space), own, pushes) => {
+                    let (sine, cosine) = crate::num::trig::sin_cos_degrees(in_space);
                     let [x, y] = pushes.components();
                     let along_push = x * -sine.hi + y * cosine.hi;
                     if along_push.abs() < 1e-9 {
                         let hint = "a level line pushes up or down, a vertical one right or left";
                         f.hint(node, "the line cannot push that way", hint);
                     } else if along_push < 0.0 {
+                        let Num::Fixed(d) = own else { return None };
                         line.direction_deg = Num::Fixed(if d > 0.0 { d - 180.0 } else { d + 180.0 });
                         reversed = true;
                     }
                 }
-                (Num::Datum(_), Ray::Up | Ray::Left) => {
+                (None, ..) if line.on.is_some() => {
+                    let hint = "leave `pushes` away: the normal force is positive to the left of the line, and its sign tells which side presses";
+                    f.hint(node, "a line on a body that turns, or along a drawn direction of it, has no side that is up or down", hint);
+                }
+                (None, Num::Datum(_), Ray::Up | Ray::Left) => {
                     // In no draw may the left of the direction be the other side.
                     let need = if pushes == Ray::Up { Need::PUSHES_UP } else { Need::PUSHES_LEFT };
                     along_node.filter(|_| WHOLE).and_then(|n| self.number(n, need));
                 }
-                (Num::Derived(_), Ray::Up | Ray::Left) => {}
-                (Num::Datum(_) | Num::Derived(_), _) => {
+                (None, Num::Derived(_), Ray::Up | Ray::Left) => {}
+                (None, ..) => {
                     let hint = "it pushes to the left of its direction: write the angle so that this is `up`";
                     f.hint(node, "a line along a drawn direction pushes up", hint);
                 }
