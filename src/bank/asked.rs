@@ -12,7 +12,7 @@ use crate::units::Unit;
 const AS_IF: [(&str, AsIf); 2] = [("rolls", AsIf::Rolls), ("smooth", AsIf::Smooth)];
 const MOTION: [(&str, AsIf); 1] = [("next", AsIf::Next)];
 /// Before a quantity in an expression: it is one of the motion that follows.
-const OF_NEXT: &str = "next.";
+pub const OF_NEXT: &str = "next.";
 
 /// Is this a question that asks by a formula?
 pub fn is_formula(question: &Node) -> bool {
@@ -30,7 +30,7 @@ pub struct AskedContext<'a> {
 /// Puts the questions that ask by a formula into a scene, one for each, and gives the uses of data in them. One that this scene
 /// cannot answer is told, and has no value there.
 pub fn put(questions: &Node, scene: &mut Scene, context: &AskedContext, faults: &Faults) -> Vec<DatumUse> {
-    let mut uses = Vec::new();
+    let mut all = Vec::new();
     for (id, key, node) in named(questions, "questions by id", &Faults::default()) {
         if !is_formula(node) {
             continue;
@@ -41,14 +41,10 @@ pub fn put(questions: &Node, scene: &mut Scene, context: &AskedContext, faults: 
             faults.hint(key, told!("`{id}` is a quantity itself; this question asks another thing"), hint);
         }
         let asked = read(id, key, node, scene, context, faults).unwrap_or_else(|| nothing(id));
-        let terms = asked.formula.names().filter_map(|term| match term {
-            Term::Given(given) => Some(DatumUse { datum: given.datum, need: Need::TERM }),
-            Term::Said(_) | Term::Other(..) => None,
-        });
-        uses.extend(terms);
+        all.extend(uses(&asked));
         scene.formulas.asked.push(asked);
     }
-    uses
+    all
 }
 
 /// A question without a value.
@@ -93,10 +89,6 @@ fn read(
         let case = if context.case.is_empty() { String::new() } else { told!(" (case `{}`)", context.case) };
         faults.maybe(n, told!("{message}{case}"), hint);
     };
-    let term = |label: Label| match other {
-        None => Term::Said(label),
-        Some(at) => Term::Other(at, label),
-    };
     let word = |field: &str, n: Option<&Node>| {
         n.and_then(Node::text).map_or_else(String::new, |how| told!(", {field}: {}", how.trim()))
     };
@@ -111,7 +103,8 @@ fn read(
             );
         }
         let powers = measure::own_powers(label.quantity.unit()).map(|p| p / 4);
-        let (formula, unit) = (Formula::new(vec![Step::Name(term(label))]), label.quantity.unit().to_owned());
+        let (formula, unit) =
+            (Formula::new(vec![Step::Name(term(other, label))]), label.quantity.unit().to_owned());
         let (id, text) = (id.to_owned(), format!("{name}{condition}"));
         return Some(Asked { id, text, formula, quantity: label.quantity, of: label.of, unit, powers });
     };
@@ -122,7 +115,34 @@ fn read(
             "keep `value:` or `quantity:`",
         );
     }
-    let written_text = text(written, "an expression such as `mu_s*normal`", faults)?;
+    let (written_text, formula, exponents) = expression(written, scene, other, &label_of, context, faults)?;
+    unit_fits(id, node, (unit, &written_text), exponents, faults)?;
+    let powers = exponents.map(|p| p / 4);
+    let quantity = Quantity::Value;
+    let (id, text) = (id.to_owned(), format!("{written_text}{condition}"));
+    Some(Asked { id, text, formula, quantity, of: Owner::Scene, unit: measure::si(powers), powers })
+}
+
+/// What a label means of the scene itself, or of another one.
+fn term(other: Option<usize>, label: Label) -> Term {
+    other.map_or(Term::Said(label), |at| Term::Other(at, label))
+}
+
+/// Looks up the name of a quantity, or says what is wrong with it.
+type Named<'n> = dyn Fn(&str) -> Result<Label, (String, Option<String>)> + 'n;
+
+/// An expression in data and quantities of the scene, or of another one, and of the motion that follows: as it is written, what it
+/// means, and its dimension.
+fn expression(
+    written: &Node,
+    scene: &Scene,
+    other: Option<usize>,
+    label_of: &Named,
+    context: &AskedContext,
+    faults: &Faults,
+) -> Option<(String, Formula<Term>, Exponents)> {
+    let target = other.map_or(scene, |at| &scene.formulas.others[at].1);
+    let text = text(written, "an expression such as `mu_s*normal`", faults)?;
     let lookup = |name: &str| match measure::datum(context.data, name) {
         Some(found) => Ok(found),
         None => match (name.strip_prefix(OF_NEXT), next(scene)) {
@@ -135,29 +155,50 @@ fn read(
             _ => label_of(name).and_then(|label| measure::quantity(target, label, name)),
         },
     };
-    let expression = match Expression::parse(&written_text, &lookup) {
+    let expression = match Expression::parse(&text, &lookup) {
         Ok(expression) => expression,
         Err(mut fault) => {
             if !context.case.is_empty() {
                 fault.message.push_str(&told!(" (case `{}`)", context.case));
             }
-            fault.tell(written, &written_text, faults);
+            fault.tell(written, &text, faults);
             return None;
         }
     };
-    unit_fits(id, node, (unit, &written_text), expression.powers, faults)?;
-    let powers = expression.powers.map(|p| p / 4);
     let formula = expression.formula().map(&mut |name| match name {
         Name::Datum(datum, degrees) => {
             let powers = context.data.get(datum).map_or([0; 3], |d| measure::powers(&d.unit).map(|p| p / 4));
             Term::Given(Given { datum, degrees, powers })
         }
-        Name::Quantity(label) => term(label),
+        Name::Quantity(label) => term(other, label),
         Name::Next(label) => Term::Other(next(scene).unwrap_or(usize::MAX), label),
     });
-    let quantity = Quantity::Value;
-    let (id, text) = (id.to_owned(), format!("{written_text}{condition}"));
-    Some(Asked { id, text, formula, quantity, of: Owner::Scene, unit: measure::si(powers), powers })
+    Some((text, formula, expression.powers))
+}
+
+/// What a datum measures, where that is no quantity as it stands: an expression, put among what is asked by formulas.
+pub fn measured(written: &Node, scene: &mut Scene, context: &AskedContext, faults: &Faults) -> Vec<DatumUse> {
+    let read = expression(written, scene, None, &|name| labels::named(scene, name), context, faults);
+    let id = written.text().unwrap_or("").trim();
+    let asked = read.map_or_else(
+        || nothing(id),
+        |(text, formula, exponents)| {
+            let powers = exponents.map(|p| p / 4);
+            Asked { text, formula, unit: measure::si(powers), powers, ..nothing(id) }
+        },
+    );
+    let uses = uses(&asked);
+    scene.formulas.asked.push(asked);
+    uses
+}
+
+/// The data that it names.
+fn uses(asked: &Asked) -> Vec<DatumUse> {
+    let terms = asked.formula.names().filter_map(|term| match term {
+        Term::Given(given) => Some(DatumUse { datum: given.datum, need: Need::TERM }),
+        Term::Said(_) | Term::Other(..) => None,
+    });
+    terms.collect()
 }
 
 /// Has the unit that is written the dimension of the expression? `None`: it has not, or there is none.

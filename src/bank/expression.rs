@@ -1,5 +1,5 @@
 //! Expressions of a bank: symbols of data, names of quantities, numbers, `pi`, `+ - * / ^ ( )`, `sqrt`, `abs`, `sin`,
-//! `cos`. They stand where a scene has a number, and in bounds, wrong methods and relations between parts.
+//! `cos`, `tan`, `atan`. They stand where a scene has a number, and in bounds, wrong methods and relations between parts.
 //!
 //! Values are SI. Dimensions are checked where they are known; the radian counts as a pure number here.
 use crate::bank::node::{Faults, Node, shorten};
@@ -143,6 +143,8 @@ pub fn tex(text: &str, data: &[Datum]) -> String {
             "abs" if called => ("\\left|", "\\right|"),
             "sin" if called => ("\\sin(", ")"),
             "cos" if called => ("\\cos(", ")"),
+            "tan" if called => ("\\tan(", ")"),
+            "atan" if called => ("\\arctan(", ")"),
             _ => ("", ""),
         };
         if !opens.is_empty() {
@@ -327,7 +329,8 @@ impl Parser<'_> {
                 self.at += 1;
             }
             let name: String = self.chars[start..self.at].iter().collect();
-            if matches!(name.as_str(), "sqrt" | "abs" | "sin" | "cos") && self.peek() == Some('(') {
+            let functions = ["sqrt", "abs", "sin", "cos", "tan", "atan"];
+            if functions.contains(&name.as_str()) && self.peek() == Some('(') {
                 self.at += 1;
                 let mut powers = self.sum()?;
                 if !self.take(')') {
@@ -348,9 +351,12 @@ impl Parser<'_> {
                     "abs" => self.steps.push(formula::Step::Abs),
                     _ if self.strict && powers != [0; 3] => {
                         self.at = start;
-                        return Err(self.trouble(told!("`{name}` takes an angle")));
+                        let what = if name == "atan" { "a pure number" } else { "an angle" };
+                        return Err(self.trouble(told!("`{name}` takes {what}")));
                     }
                     "sin" => self.steps.push(formula::Step::Sin),
+                    "atan" => self.steps.push(formula::Step::Atan),
+                    "tan" => self.steps.push(formula::Step::Tan),
                     _ => self.steps.push(formula::Step::Cos),
                 }
                 return Ok(powers);
@@ -392,6 +398,8 @@ mod tests {
         assert_eq!(value("abs(k - r) / r^-1"), Ok(4.0));
         assert!(value("sin(k / r)").is_ok_and(|s| (s - 0.681_638_760_023_334_2).abs() < 1e-15));
         assert!(value("cos(k / r)^2 + sin(k / r)^2").is_ok_and(|s| (s - 1.0).abs() < 1e-15));
+        assert!(value("tan(k / r) * cos(k / r) - sin(k / r)").is_ok_and(|s| s.abs() < 1e-15));
+        assert!(value("atan(k / r)").is_ok_and(|a| (a - 0.643_501_108_793_284_4).abs() < 1e-15));
         assert_eq!(value("1 - 2 - 3"), Ok(-4.0));
         assert_eq!(value("8 / 4 / 2"), Ok(1.0));
         assert_eq!(read("k*r").map(|e| e.powers[0]), Ok(8));
@@ -412,6 +420,7 @@ mod tests {
             "sqrt(sqrt(sqrt(k)))",
             "k^99",
             "sin(k)",
+            "atan(k)",
         ] {
             assert!(read(text).is_err(), "{text}");
         }

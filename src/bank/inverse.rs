@@ -1,4 +1,5 @@
 //! The inverse question: a datum that is `unknown:` is found from another one that was `measured:`.
+use crate::bank::asked::{self, AskedContext, OF_NEXT};
 use crate::bank::node::{Faults, Node, WHOLE};
 use crate::bank::scene::DatumUse;
 use crate::bank::{Datum, labels, measure, need::Need};
@@ -53,7 +54,14 @@ pub fn put(
     let unknown = data.iter().enumerate().find_map(|(i, d)| Some((i, d.unknown.as_ref()?)));
     let (Some((i, draw)), Some((at, node))) = (unknown, measured) else { return Vec::new() };
     let name = node.text().unwrap_or("").trim();
-    let label = match labels::named(scene, name) {
+    let mut uses = Vec::new();
+    // A quantity as it stands, or an expression, such as one in quantities of the motion that follows.
+    let expression = labels::named(scene, name).is_err() && name.contains(|c: char| !is_of_name(c))
+        || name.starts_with(OF_NEXT);
+    if expression {
+        uses = asked::measured(node, scene, &AskedContext { data, case: "" }, faults);
+    }
+    let label = match asked::label(scene, name).map_or_else(|| labels::named(scene, name), Ok) {
         Ok(label) if !label.quantity.is_word() => label,
         Ok(_) => {
             faults.at(node, told!("`{name}` is a word: only a number is measured"));
@@ -65,7 +73,7 @@ pub fn put(
         }
     };
     let symbol = &data[i].symbol;
-    let (own, wanted) = (measure::powers(&data[at].unit), measure::own_powers(label.quantity.unit()));
+    let (own, wanted) = (measure::powers(&data[at].unit), measure::own_powers(scene.unit(label)));
     if own != wanted {
         let (own, wanted) = (measure::powers_text(own), measure::powers_text(wanted));
         faults.at(node, told!("`{}` has the dimension {own}, `{name}` {wanted}", data[at].symbol));
@@ -113,5 +121,11 @@ pub fn put(
         Given { datum, degrees: data[datum].degrees, powers }
     };
     scene.formulas.found = Some(Found { unknown: given(i), range, measured: given(at), label });
-    vec![DatumUse { datum: at, need: Need::TERM }]
+    uses.push(DatumUse { datum: at, need: Need::TERM });
+    uses
+}
+
+/// May it stand in the name of a quantity, such as `rod.B.v`?
+fn is_of_name(c: char) -> bool {
+    c.is_alphanumeric() || c == '_' || c == '.'
 }

@@ -164,11 +164,12 @@ fn holds(body: &Node, field: &str) -> bool {
     }
 }
 
-/// Is this the mass of a light crank or rod in the plane, 0 kg?
+/// Is this the mass of a light crank or rod in the plane, or of a light movable pulley, 0 kg?
 fn is_light(body: &Node, mass: &Node) -> bool {
-    let planar =
-        ["moves: in the plane", "moves: in a horizontal plane"].iter().any(|moves| holds(body, moves));
-    planar && mass.text().is_some_and(|text| measure::constant(text.trim(), "kg").is_ok_and(|m| m == 0.0))
+    let pulley = holds(body, "moves: vertically") && holds(body, "moment of inertia");
+    let planar = ["moves: in the plane", "moves: in a horizontal plane"];
+    (pulley || planar.iter().any(|moves| holds(body, moves)))
+        && mass.text().is_some_and(|text| measure::constant(text.trim(), "kg").is_ok_and(|m| m == 0.0))
 }
 
 /// Tells what does not go together in a body.
@@ -511,7 +512,8 @@ impl SceneReader<'_> {
     fn mass(&self, node: &Node, mass: Option<&Node>, weight: Option<&Node>) -> Mass {
         let given = match (mass, weight) {
             (Some(n), None) if is_light(node, n) => {
-                if node.field("moment of inertia").is_some() {
+                let turns = |n: &Node| measure::constant(n.text().unwrap_or("").trim(), "kg*m^2") != Ok(0.0);
+                if node.field("moment of inertia").is_some_and(turns) {
                     let hint = "leave out the moment of inertia, or give it a mass";
                     self.faults.hint(n, "what has a moment of inertia has a mass", hint);
                 }

@@ -15,7 +15,7 @@ use crate::finding::told;
 #[cfg(not(feature = "program"))]
 use crate::policy::Hints;
 use crate::policy::Policy;
-use crate::scene::{AsIf, Label, Owner, Quantity, Scene, Span, Term};
+use crate::scene::{AsIf, End, Label, Owner, Quantity, Scene, Span, Term};
 use crate::solve::outcome::{CheckKind, Motion};
 use crate::units::{Unit, spell};
 use std::collections::BTreeMap;
@@ -307,6 +307,15 @@ fn problem(
     }
     if WHOLE {
         read.review(&cases);
+        let instant = |case: &CaseRead| {
+            let scene = case.read.as_ref().and_then(|read| read.scene.as_ref());
+            let declared = !case.regimes.is_empty() && !case.regimes.iter().any(|r| r == "instant");
+            declared && scene.is_some_and(|scene| scene.end == End::AtOnce)
+        };
+        if let Some(n) = node.field("regimes").filter(|_| cases.iter().any(instant)) {
+            let hint = "leave `regimes` out, or end the motion after a time";
+            faults.hint(n, "with `end: at once` nothing moves or stays: it has no such regime", hint);
+        }
     }
 
     // Questions and bounds are read against each scene, since labels hold the index of a body.

@@ -32,6 +32,8 @@ const NARROW: f64 = 0.02;
 const WELL_INSIDE: f64 = 0.1;
 /// How far a guide is drawn beyond what slides on it.
 const BEYOND: f64 = 30.0;
+/// How far from the ends of a plank its mass stands.
+const UPON: f64 = 45.0;
 
 /// Where a body lies on the board.
 #[derive(Debug, Clone, Copy)]
@@ -218,8 +220,12 @@ impl PlaneLayout {
         let all = view.scene.joints.iter().filter(carries);
         let (line, on) = all.clone().find_map(|j| Some((j.kind.line()?, j.kind.carrier()?)))?;
         let (direction, through) = (self.direction(view, laid, line), self.spot(view, laid, on));
-        let reach =
-            all.flat_map(|j| j.kind.spots().map(|at| (self.spot(view, laid, at) - through).dot(&direction)));
+        let reach = all.flat_map(|j| {
+            // Under the whole of a wheel.
+            let radius = j.kind.surface().map_or(0.0, |(_, radius_m, _)| view.of(radius_m) * self.scale);
+            let along = |at| (self.spot(view, laid, at) - through).dot(&direction);
+            j.kind.spots().map(along).flat_map(move |x| [x - radius, x + radius])
+        });
         let (low, high) = reach.fold((0.0, 0.0), |(a, b), x| (f64::min(a, x), f64::max(b, x)));
         let (from, to) = (through + direction * (low - BEYOND), through + direction * (high + BEYOND));
         let down = direction.left() * -GUIDE;
@@ -568,7 +574,12 @@ impl GuideRun {
             None => ground(view, line.through_m) * plane.scale,
         };
         let places = std::iter::once(&plane.start).chain(&plane.end);
-        let reach = places.map(|laid| (plane.spot(view, laid, at) - through).dot(&direction));
+        // Under the whole of a plank.
+        let reach = places.flat_map(|laid| {
+            let corners = plane.top(view, laid, at.body).into_iter().flatten();
+            let all = corners.chain([plane.spot(view, laid, at)]);
+            all.map(|p| (p - through).dot(&direction)).collect::<Vec<_>>()
+        });
         let (low, high) = reach.fold((f64::INFINITY, -f64::INFINITY), |(a, b), x| (a.min(x), b.max(x)));
         // What slides on it lies within it, a rod's end upon it.
         let slider = !view.scene.bodies[at.body].turns;
@@ -693,10 +704,15 @@ fn held(board: &mut Board, view: &SceneView, plane: &PlaneLayout, joint: &Joint)
                     let (low, high) = reach.fold((0.0, 0.0), |(a, b), x| (f64::min(a, x), f64::max(b, x)));
                     let margin = radius + 40.0;
                     let (from, to) = (foot + direction * (low - margin), foot + direction * (high + margin));
-                    if line.on.is_none() {
-                        board.hatch(from, to, -direction.left());
+                    match line.on {
+                        None => {
+                            board.hatch(from, to, -direction.left());
+                            board.line(from, to, Role::Ground);
+                        }
+                        // The top of a plank is drawn with it.
+                        Some(on) if !view.scene.bodies[on.body].turns => {}
+                        Some(_) => board.line(from, to, Role::Body),
                     }
-                    board.line(from, to, if line.on.is_none() { Role::Ground } else { Role::Body });
                 }
                 Surface::Arc { centre_m, radius_m, .. } => {
                     let centre = ground(view, centre_m) * plane.scale;
@@ -900,7 +916,13 @@ fn sizes(board: &mut Board, view: &SceneView, plane: &PlaneLayout, body: usize) 
     let side = if this.turns { THICK } else { 12.0 };
     // Beside the middle, where the mass centre has its dot; across the line of its length only where all else is taken.
     let places = [0.22, -0.22, 0.33, -0.33, 0.12, -0.12].map(|share| middle + (to - from) * share);
-    let spots = [-out, out].into_iter().flat_map(|d| places.map(|p| (p + d * side, d)));
+    let beside = [-out, out].into_iter().flat_map(|d| places.map(|p| (p + d * side, d)));
+    // Upon the ends of a plank, what rolls on it is not in the way.
+    let ends = plane.top(view, &plane.start, body).filter(|_| !this.turns).map(|[a, b, ..]| {
+        let along = (b - a).unit();
+        [a + along * UPON, b - along * UPON].map(|p| (p, along.left()))
+    });
+    let spots = ends.into_iter().flatten().chain(beside);
     board.label(rows, Role::Dot, (LabelTie::Clear, 6.0), spots.collect());
 }
 

@@ -492,7 +492,8 @@ fn misplaced(scene: &Scene, refusal: &Refusal) -> String {
     match refusal {
         Refusal::Unplaced(index) => format!(
             "the joints do not place `{}` on the way: a body is placed that leads, is welded, or is pinned or hinged to what has a \
-             place and either guided at another point, by a cord or a light rod too, or hinged there to a second such body",
+             place and either guided at another point, by a cord or a light rod too, or hinged there to a second such body; a wheel \
+             that an arm carries about the axis of a cylinder `meshes` with it",
             name(*index)
         ),
         Refusal::IdleSide { body, with } => {

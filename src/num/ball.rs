@@ -182,6 +182,10 @@ impl Real for Ball {
         // The magnitudes of two numbers are no farther apart than the numbers: nothing is decided here.
         Self { mid: if self.mid.sign() < 0.0 { -self.mid } else { self.mid }, radius: self.radius }
     }
+    fn is_nothing(self) -> bool {
+        // What only may be zero is a factor like any other.
+        self.exact() && self.mid == Dd::ZERO
+    }
     fn is_zero(self) -> bool {
         if self.open() {
             DOUBT.set(true);

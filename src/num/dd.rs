@@ -32,19 +32,20 @@ pub fn unwatched<R>(run: impl FnOnce() -> R) -> R {
     result
 }
 
-/// Notes that a result left the range; what is made with 0 or without end is exactly so.
-#[cold]
-#[inline(never)]
-fn leave(a: f64, b: f64) {
-    if a != 0.0 && b != 0.0 && a.is_finite() && b.is_finite() {
-        LEFT.set(true);
+/// Notes if a result made of two numbers left the range; what is made with 0, as many are, or without end is exactly so.
+#[inline(always)]
+fn keep(result: f64, a: f64, b: f64) {
+    if !(LEAST..=MOST).contains(&result.abs()) && a != 0.0 && b != 0.0 {
+        leave(a, b);
     }
 }
 
-/// Is it of a magnitude that keeps both its parts?
-#[inline(always)]
-fn inside(x: f64) -> bool {
-    (LEAST..=MOST).contains(&x.abs())
+#[cold]
+#[inline(never)]
+fn leave(a: f64, b: f64) {
+    if a.is_finite() && b.is_finite() {
+        LEFT.set(true);
+    }
 }
 
 /// `hi + lo` with `hi` the double nearest to the sum.
@@ -138,9 +139,7 @@ impl Dd {
         if self.hi == 0.0 {
             return Self::ZERO;
         }
-        if !inside(self.hi) {
-            leave(self.hi, 1.0);
-        }
+        keep(self.hi, self.hi, 1.0);
         let s = self.hi.sqrt();
         if !s.is_finite() {
             return Self::new(s);
@@ -155,9 +154,7 @@ impl Dd {
     pub fn scale2(self, e: i32) -> Self {
         let f = pow2(e);
         let scaled = Self { hi: self.hi * f, lo: self.lo * f };
-        if !inside(scaled.hi) {
-            leave(self.hi, f);
-        }
+        keep(scaled.hi, self.hi, f);
         scaled
     }
     /// Is it finite?
@@ -235,9 +232,7 @@ impl Mul for Dd {
     #[cfg_attr(not(feature = "program"), inline(never))]
     fn mul(self, o: Dd) -> Dd {
         let (p, e) = two_prod(self.hi, o.hi);
-        if !inside(p) {
-            leave(self.hi, o.hi);
-        }
+        keep(p, self.hi, o.hi);
         let (hi, lo) = quick_two_sum(p, e + (self.hi * o.lo + self.lo * o.hi));
         Dd { hi, lo }
     }
@@ -249,9 +244,7 @@ impl Div for Dd {
     #[cfg_attr(not(feature = "program"), inline(never))]
     fn div(self, o: Dd) -> Dd {
         let q1 = self.hi / o.hi;
-        if !inside(q1) {
-            leave(self.hi, o.hi);
-        }
+        keep(q1, self.hi, o.hi);
         if !q1.is_finite() || q1 == 0.0 {
             return Dd::new(q1);
         }

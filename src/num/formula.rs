@@ -35,6 +35,10 @@ pub enum Step<V> {
     Sin,
     /// Cosine of radians.
     Cos,
+    /// Tangent of radians.
+    Tan,
+    /// Angle of this tangent, radians.
+    Atan,
 }
 
 /// A formula; `V` names the values that are looked up.
@@ -83,6 +87,8 @@ impl<V: Copy> Formula<V> {
             Step::Abs => Step::Abs,
             Step::Sin => Step::Sin,
             Step::Cos => Step::Cos,
+            Step::Tan => Step::Tan,
+            Step::Atan => Step::Atan,
         });
         Formula { steps: steps.collect(), depth: self.depth }
     }
@@ -126,6 +132,11 @@ impl<V: Copy> Formula<V> {
                 Step::Abs => (b, stack[b].abs()),
                 Step::Sin => (b, sine_cosine(stack[b]).0),
                 Step::Cos => (b, sine_cosine(stack[b]).1),
+                Step::Tan => {
+                    let (sine, cosine) = sine_cosine(stack[b]);
+                    (b, sine / cosine)
+                }
+                Step::Atan => (b, trig::angle(stack[b], T::of(1.0))),
                 Step::Power(n) => (b, power(stack[b], n)),
                 Step::Add => (a, stack[a] + stack[b]),
                 Step::Subtract => (a, stack[a] - stack[b]),
@@ -149,7 +160,8 @@ fn scale_of<T: Real, V>(step: Step<V>, stack: &[T], scales: &mut [f64], top: usi
         Step::Pi => scales[top] = Dd::PI.hi,
         Step::Name(_) | Step::Negate | Step::Abs => {}
         Step::Sqrt => scales[b] = scale(b).sqrt(),
-        Step::Sin | Step::Cos => scales[b] = 1.0,
+        Step::Sin | Step::Cos | Step::Atan => scales[b] = 1.0,
+        Step::Tan => scales[b] = sine_cosine(stack[b]).1.size().recip(),
         Step::Power(n) => scales[b] = scale(b) * power(size(b), n - 1),
         Step::Add | Step::Subtract => scales[a] = scale(a) + scale(b),
         Step::Multiply => scales[a] = (scale(a) * size(b)).max(size(a) * scale(b)),

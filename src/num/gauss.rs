@@ -124,11 +124,11 @@ impl Rule {
     /// and 0 at the others: `w sum over m of (2m + 1) P_m(node) int P_m`, with `int P_m = (P_(m+1) - P_(m-1)) / (2m + 1)`; half for
     /// the panel.
     fn shares<T: Real>(&self, at: &[T]) -> PerNode<T> {
+        let degrees = 1..self.nodes.len();
+        let integrals: PerNode<T> = degrees.map(|m| at[m + 1] - at[m - 1]).collect();
         let of = |(node, weight): (&Vec<Dd>, &Dd)| {
-            let sum = at[1] + T::of(1.0);
-            let sum = (1..self.nodes.len())
-                .fold(sum, |sum, m| sum + T::constant(node[m]) * (at[m + 1] - at[m - 1]));
-            (T::constant(*weight) * sum).scale2(-1)
+            let terms = node[1..].iter().zip(&integrals).map(|(p, integral)| T::constant(*p) * *integral);
+            (T::constant(*weight) * terms.fold(at[1] + T::of(1.0), |sum, term| sum + term)).scale2(-1)
         };
         self.legendre.iter().zip(&self.weights).map(of).collect()
     }

@@ -33,13 +33,18 @@ pub fn side_by_side<R>(sets: &[impl AsRef<[f64]>], run: impl FnOnce(&[f64]) -> R
 }
 
 impl Lanes {
+    /// By a plain loop, of which the compiler makes operations on several lanes at once; of [`std::array::from_fn`] it makes calls.
     #[inline(always)]
-    fn from(of: impl FnMut(usize) -> f64) -> Self {
-        Self(std::array::from_fn(of))
+    fn from(mut of: impl FnMut(usize) -> f64) -> Self {
+        let mut lanes = [0.0; LANES];
+        for (lane, value) in lanes.iter_mut().enumerate() {
+            *value = of(lane);
+        }
+        Self(lanes)
     }
     #[inline(always)]
     fn map(self, f: impl Fn(f64) -> f64) -> Self {
-        Self(self.0.map(f))
+        Self::from(|lane| f(self.0[lane]))
     }
     #[inline(always)]
     fn with(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
@@ -117,8 +122,13 @@ impl Real for Lanes {
         Self::decided(|lane| self.0[lane])
     }
     fn each(self, f: impl Fn(f64) -> (f64, f64)) -> (Self, Self) {
-        let all = self.0.map(f);
-        (Self::from(|lane| all[lane].0), Self::from(|lane| all[lane].1))
+        let mut others = [0.0; LANES];
+        let ones = Self::from(|lane| {
+            let (one, other) = f(self.0[lane]);
+            others[lane] = other;
+            one
+        });
+        (ones, Self(others))
     }
     fn pairwise(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         self.with(other, f)

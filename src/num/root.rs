@@ -69,10 +69,11 @@ fn dip<T: Real>(around: &[(T, T)]) -> Option<T> {
         return None;
     }
     let [high, low, far] = [high, low, far].map(|x| x.abs());
-    let (left, right) = ((high - low) / (*b - *a), (far - low) / (*c - *b));
+    let (left, right) = (high - low, far - low);
     if left.sign() <= 0.0 || right.sign() < 0.0 {
         return None;
     }
+    let (left, right) = (left / (*b - *a), right / (*c - *b));
     let bend = (left + right) / (*c - *a);
     // Slope at the middle, from the parabola.
     let slope = (right * (*b - *a) - left * (*c - *b)) / (*c - *a);

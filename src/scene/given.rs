@@ -40,7 +40,7 @@ fn radius(body: &Body, name: &str) -> Option<Num> {
 
 /// The rule of the mass of a body. What is told to be light in the plane has a mass of 0; a datum is none.
 fn of_mass(body: &Body) -> Rule {
-    let light = body.planar.is_some() && !body.is_pinned();
+    let light = body.line.is_some() || body.planar.is_some() && !body.is_pinned();
     let light = light && matches!(body.mass, Mass::Kilograms(Num::Fixed(_)));
     let moves = body.line.is_some() || body.planar.is_some();
     if moves && !light { Positive } else { NotNegative }

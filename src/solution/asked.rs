@@ -9,7 +9,7 @@ use crate::solution::account::of_body;
 use crate::solution::derive;
 use crate::solution::draft::{Detail, Draft};
 use crate::solution::expr::{
-    Expr, SymbolId, cosine, magnitude, number, power, product, root, sine, square, sum,
+    Expr, SymbolId, arc_tangent, cosine, magnitude, number, power, product, root, sine, square, sum,
 };
 use crate::solution::factors::Cancel;
 use crate::solution::narrate;
@@ -230,16 +230,22 @@ pub fn expression<V: Copy + PartialEq>(
             Step::Number(x) => stack.push((written(draft, x), false)),
             Step::Pi => stack.push((draft.pi().into(), false)),
             Step::Name(value) => stack.push(name(draft, value)?),
-            Step::Sin | Step::Cos => {
+            Step::Sin | Step::Cos | Step::Tan => {
                 let (angle, _) = top(&mut stack)?;
-                stack.push((if *step == Step::Sin { sine(angle) } else { cosine(angle) }, false));
+                let wave = match *step {
+                    Step::Sin => sine(angle),
+                    Step::Cos => cosine(angle),
+                    _ => sine(angle.clone()) / cosine(angle),
+                };
+                stack.push((wave, false));
             }
-            Step::Negate | Step::Power(_) | Step::Sqrt | Step::Abs => {
+            Step::Negate | Step::Power(_) | Step::Sqrt | Step::Abs | Step::Atan => {
                 let (x, degrees) = top(&mut stack)?;
                 let x = radians(draft, x, degrees && *step != Step::Negate);
                 let from = match *step {
                     Step::Negate => -x,
                     Step::Sqrt => root(x),
+                    Step::Atan => arc_tangent(x),
                     Step::Abs if x.value(&draft.symbols) >= 0.0 => x,
                     Step::Abs => magnitude(x),
                     Step::Power(n) if n < 0 => number(1) / power(x, n.unsigned_abs()),

@@ -38,6 +38,8 @@ pub enum Function {
     Magnitude,
     /// The angle, in radians, whose cosine it is.
     ArcCosine,
+    /// The angle, in radians, whose tangent it is.
+    ArcTangent,
 }
 
 /// A number that belongs to a formula.
@@ -214,6 +216,11 @@ pub fn arc_cosine(of: impl Into<Expr>) -> Expr {
     Expr::Of(Function::ArcCosine, Box::new(of.into()))
 }
 
+/// The angle from -pi/2 to pi/2 with this tangent.
+pub fn arc_tangent(of: impl Into<Expr>) -> Expr {
+    Expr::Of(Function::ArcTangent, Box::new(of.into()))
+}
+
 /// The length of a vector with these components.
 pub fn length(x: impl Into<Expr>, y: impl Into<Expr>) -> Expr {
     root(square(x) + square(y))
@@ -327,6 +334,9 @@ impl Expr {
             Self::Of(Function::ArcCosine, inner) => {
                 let under = root(sum([ONE, minus(power((**inner).clone(), 2))]));
                 minus(quotient(of(inner), under))
+            }
+            Self::Of(Function::ArcTangent, inner) => {
+                quotient(of(inner), sum([ONE, power((**inner).clone(), 2)]))
             }
         }
     }

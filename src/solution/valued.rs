@@ -50,6 +50,7 @@ impl Expr {
                         let across: f64 = ((1.0 - x) * (1.0 + x)).max(0.0);
                         trig::atan2(across.sqrt(), x)
                     }
+                    Function::ArcTangent => trig::atan2(x, 1.0),
                 }
             }
         }
@@ -73,7 +74,7 @@ impl Expr {
             Self::Symbol(s) => symbols.is_degrees(*s),
             // An angle over 180 degrees, times pi, is one in radians.
             Self::Quotient(over, under) => over.in_degrees(symbols) && !under.in_degrees(symbols),
-            Self::Of(Function::Sine | Function::Cosine | Function::ArcCosine, _) => false,
+            Self::Of(function, _) if *function != Function::Magnitude => false,
             _ => self.parts().into_iter().any(|part| part.in_degrees(symbols)),
         }
     }

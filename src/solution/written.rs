@@ -127,6 +127,7 @@ impl Expr {
                     out.push_str(match function {
                         Function::Sine => r"\sin ",
                         Function::ArcCosine => r"\arccos ",
+                        Function::ArcTangent => r"\arctan ",
                         _ => r"\cos ",
                     });
                     inner.write(symbols, form, Surroundings::Tight, out);
@@ -181,8 +182,7 @@ fn pieces(terms: &[Expr], symbols: &Symbols, form: Notation) -> Vec<String> {
 
 fn write_product(factors: &[Expr], symbols: &Symbols, form: Notation, out: &mut String) {
     // Sines last: what follows one could be read as part of its argument.
-    let is_wave =
-        |e: &&Expr| matches!(e, Expr::Of(Function::Sine | Function::Cosine | Function::ArcCosine, _));
+    let is_wave = |e: &&Expr| matches!(e, Expr::Of(function, _) if *function != Function::Magnitude);
     let ordered = factors.iter().filter(|f| !is_wave(f)).chain(factors.iter().filter(is_wave));
     for (i, factor) in ordered.enumerate() {
         if i > 0 {
@@ -222,7 +222,7 @@ pub fn width(tex: &str) -> f64 {
                     "quad" => sum += 2.0,
                     "qquad" => sum += 4.0,
                     "sin" | "cos" | "int" => sum += 2.6,
-                    "arccos" => sum += 5.0,
+                    "arccos" | "arctan" => sum += 5.0,
                     "mathrm" => {}
                     _ => sum += 1.0,
                 }

@@ -9,7 +9,7 @@
 use crate::num::dd::pow2;
 use crate::num::eliminate::Equations;
 use crate::num::{NOISE, Real};
-use crate::scene::{Scales, Scene, admissible, scales};
+use crate::scene::{Label, Scales, Scene, admissible, scales};
 use crate::solve::eom;
 use crate::solve::outcome::{Entry, Kind, Road, Scope, Set, Told};
 
@@ -27,36 +27,54 @@ const NOTHING: f64 = 1e-6;
 /// Error of a condition number, as a share of it or of 1, that the rounding of an answer may make.
 const ROUNDING: f64 = 1e-5;
 
-/// The answers where one datum is changed.
-struct Changed<T> {
+/// The road where one datum is changed, if there is one.
+struct Changed<R> {
     /// By which share of itself the datum is changed.
     by: f64,
     /// Is it a motion of the same kind?
     alike: bool,
-    values: Values<T>,
+    road: Option<R>,
 }
 
-/// One value for each entry, where it has one and it is asked.
-type Values<T> = Vec<Option<T>>;
+/// A road that was solved with changed data.
+trait Says<T> {
+    fn kind(&self) -> Kind;
+    /// The value of a label, probably said at this place.
+    fn value(&self, at: usize, label: Label) -> Option<T>;
+}
+
+impl Says<f64> for Told {
+    fn kind(&self) -> Kind {
+        Told::kind(self)
+    }
+    fn value(&self, at: usize, label: Label) -> Option<f64> {
+        Told::value(self, at, label)
+    }
+}
+
+impl<T: Real> Says<T> for Road<T> {
+    fn kind(&self) -> Kind {
+        Road::kind(self)
+    }
+    fn value(&self, at: usize, label: Label) -> Option<T> {
+        self.said_at(at, label).map(|said| said.value)
+    }
+}
+
+/// The roads with several sets of data.
+type Roads<'r, R> = &'r dyn Fn(&[Set], Scope) -> Vec<Option<R>>;
 
 /// Condition number of each entry, in numbers of this type where the rounding of doubles may tell: 0 if no datum moves it, infinite for a zero that some datum moves, or where no changed data
 /// have a solution.
 pub fn numbers<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> Vec<f64> {
     // What is judged in doubles alone, in a page, needs no speed.
     let follow = !T::is_double() && scene.lead().is_some();
-    let labels = || entries.iter().map(|e| e.label).enumerate();
-    let doubles = |sets: &[Set], asked| {
-        let values = |told: Told| (told.kind(), labels().map(|(at, label)| told.value(at, label)).collect());
-        eom::roads(scene, sets, asked).into_iter().map(|told| told.map(values)).collect()
-    };
-    let (mut conds, rounded) = quotients(scene, data, kind, entries, &doubles, follow);
+    let doubles = |sets: &[Set], asked| eom::roads(scene, sets, asked);
+    let (mut conds, rounded) = quotients::<f64, Told>(scene, data, kind, entries, &doubles, follow);
     if !T::is_double() && rounded.contains(&true) {
-        let value = |road: &Road<T>, (at, label)| road.said_at(at, label).map(|said| said.value);
-        let values = |road: Road<T>| (road.kind(), labels().map(|label| value(&road, label)).collect());
-        let each = |sets: &[Set], asked| {
-            sets.iter().map(|data| eom::road_of(scene, data, asked).ok().map(values)).collect()
-        };
-        let (finer, _) = quotients(scene, data, kind, entries, &each, follow);
+        let each =
+            |sets: &[Set], asked| sets.iter().map(|data| eom::road_of(scene, data, asked).ok()).collect();
+        let (finer, _) = quotients::<T, Road<T>>(scene, data, kind, entries, &each, follow);
         for ((cond, finer), _) in conds.iter_mut().zip(finer).zip(rounded).filter(|(_, rounded)| *rounded) {
             *cond = finer;
         }
@@ -64,19 +82,14 @@ pub fn numbers<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entr
     conds
 }
 
-/// The kind of motion and the values of the entries; `None` where there is no motion.
-type Outcome<T> = Option<(Kind, Values<T>)>;
-/// That of each of several sets of data.
-type Roads<'r, T> = &'r dyn Fn(&[Set], Scope) -> Vec<Outcome<T>>;
-
 /// Condition numbers by difference quotients in numbers of this type, and for each whether their rounding may tell. If data may
 /// `follow` others, those are not changed, save for what is told so beside a kink: that needs the slope of each datum.
-fn quotients<T: Real>(
+fn quotients<T: Real, R: Says<T>>(
     scene: &Scene,
     data: &[f64],
     kind: Kind,
     entries: &[Entry],
-    roads: Roads<T>,
+    roads: Roads<R>,
     follow: bool,
 ) -> (Vec<f64>, Vec<bool>) {
     let mut found = (vec![None; entries.len()], vec![false; entries.len()]);
@@ -100,43 +113,40 @@ fn quotients<T: Real>(
 
 /// Looks for those condition numbers that are missing, with the data that are changed and what follows from their slopes; what that
 /// does not tell stays missing.
-fn search<T: Real>(
+fn search<T: Real, R: Says<T>>(
     (scene, data, kind): (&Scene, &[f64], Kind),
     entries: &[Entry],
-    roads: Roads<T>,
+    roads: Roads<R>,
     (used, followers): (&[usize], &[Vec<f64>]),
     (conds, rounded): &mut (Vec<Option<f64>>, Vec<bool>),
 ) {
     let mut kinked: Vec<usize> = Vec::new();
     let mut kinks: Vec<Option<f64>> = vec![None; entries.len()];
     // Where each datum is changed, after the data as they are if these are wanted.
-    let changed = |by: f64, conds: &[Option<f64>], own: bool| -> Vec<Changed<T>> {
+    let changed = |by: f64, conds: &[Option<f64>], own: bool| -> Vec<Changed<R>> {
         // What was found needs no further road.
         let missing = entries.iter().zip(conds).filter(|(_, cond)| cond.is_none());
         let asked = Scope::only(missing.map(|(e, _)| e.label.quantity));
-        let moves: Vec<Option<usize>> =
-            own.then_some(None).into_iter().chain(used.iter().map(|i| Some(*i))).collect();
-        let moved = |i: &Option<usize>| {
+        let moves = own.then_some(None).into_iter().chain(used.iter().copied().map(Some));
+        let moved = |i: Option<usize>| {
             let mut moved = data.to_vec();
             i.iter().for_each(|i| moved[*i] = data[*i] * (1.0 + by));
             moved
         };
-        let sets: Vec<Set> = moves.iter().map(moved).collect();
-        let change = |(found, (set, i)): (Outcome<T>, (&Set, &Option<usize>))| {
+        let sets: Vec<Set> = moves.clone().map(moved).collect();
+        let change = |((road, set), i): ((Option<R>, &Set), Option<usize>)| {
             let by = i.map_or(0.0, |i| set[i] / data[i] - 1.0);
-            match found {
-                Some((found, values)) => Changed { by, alike: found == kind, values },
-                None => Changed { by, alike: false, values: entries.iter().map(|_| None).collect() },
-            }
+            Changed { by, alike: road.as_ref().is_some_and(|road| road.kind() == kind), road }
         };
-        roads(&sets, asked).into_iter().zip(sets.iter().zip(&moves)).map(change).collect()
+        roads(&sets, asked).into_iter().zip(&sets).zip(moves).map(change).collect()
     };
     let mut base = None;
+    let mut slopes: Vec<EntrySlope> = Vec::with_capacity(used.len());
     'found: for power in STEPS {
         let step = pow2(power);
         let mut up = changed(step, conds, base.is_none());
-        let base = base.get_or_insert_with(|| up.remove(0).values);
-        let mut down: Vec<Changed<T>> = Vec::new();
+        let base = base.get_or_insert_with(|| up.remove(0));
+        let mut down: Vec<Changed<R>> = Vec::new();
         for (both, fine) in [false, true].into_iter().zip(FINE) {
             if both {
                 down = changed(-step, conds, false);
@@ -146,8 +156,10 @@ fn search<T: Real>(
             for (at, (cond, entry)) in
                 conds.iter_mut().zip(entries).enumerate().filter(|(_, (c, _))| c.is_none())
             {
-                let slopes: Vec<EntrySlope> =
-                    (0..used.len()).map(|i| slope(entry, at, base[at], &up[i], down.get(i))).collect();
+                let value = |changed: &Changed<R>| changed.road.as_ref()?.value(at, entry.label);
+                let at_data = value(base);
+                slopes.clear();
+                slopes.extend((0..used.len()).map(|i| slope(entry, at_data, (&up[i], down.get(i)), value)));
                 let uneven = slopes.iter().any(|s| s.uneven);
                 let mut sum: f64 = slopes.iter().map(|s| s.per.abs()).sum();
                 if !followers.is_empty() {
@@ -170,7 +182,7 @@ fn search<T: Real>(
                         continue;
                     }
                     *cond = Some(found);
-                    rounded[at] = T::is_double() && misses(entry, base[at], step * found.max(1.0));
+                    rounded[at] = T::is_double() && misses(entry, at_data, step * found.max(1.0));
                 }
             }
             if conds.iter().all(Option::is_some) {
@@ -246,34 +258,42 @@ struct EntrySlope {
 }
 
 /// Slope of an entry from its values at the data and at changed data; endless where no changed datum gives one.
-fn slope<T: Real>(
+fn slope<T: Real, R>(
     entry: &Entry,
-    at: usize,
     base: Option<T>,
-    up: &Changed<T>,
-    down: Option<&Changed<T>>,
+    (up, down): (&Changed<R>, Option<&Changed<R>>),
+    value: impl Fn(&Changed<R>) -> Option<T>,
 ) -> EntrySlope {
     let y = entry.value();
-    // Of two sides of which one has another kind of motion, that one does not count.
-    let above = up.values[at].filter(|_| up.alike || !down.is_some_and(|d| d.alike));
-    let below = down.and_then(|d| d.values[at].filter(|_| d.alike || !up.alike).map(|value| (value, d.by)));
-    let per = |from: T, to: T, by: f64| (to - from).f64() / by;
     let larger = |one: f64, other: f64| if one.abs() < other.abs() { other } else { one };
-    // At a zero the two sides of a magnitude are alike: each counts by itself.
-    if let (Some(a), Some((b, by)), true) = (above, below, y != 0.0) {
-        let whole = per(b, a, up.by - by);
-        // Where the sides differ, as about a singularity, their mean would hide it.
-        let sides = base.map(|base| (per(base, a, up.by), per(base, b, by)));
-        let kink = sides.filter(|(u, d)| (u.abs() - d.abs()).abs() > UNEVEN * whole.abs());
-        return EntrySlope { per: kink.map_or(whole, |(u, d)| larger(u, d)), uneven: kink.is_some() };
-    }
-    let rounding = if y == 0.0 { 2.0 * T::NOISE * entry.scale } else { 0.0 };
-    let alone = |(value, by): (T, f64)| {
+    let alone = |value: T, by: f64| {
         let change = (value - base.unwrap_or_else(|| T::of(y))).f64();
-        if change.abs() <= rounding { 0.0 } else { change / by }
+        let rounded = y == 0.0 && change.abs() <= 2.0 * T::NOISE * entry.scale;
+        if rounded { 0.0 } else { change / by }
     };
-    let sides = above.map(|value| (value, up.by)).into_iter().chain(below);
-    EntrySlope { per: sides.map(alone).reduce(larger).unwrap_or(f64::INFINITY), uneven: false }
+    let Some(down) = down else {
+        let per = value(up).map_or(f64::INFINITY, |above| alone(above, up.by));
+        return EntrySlope { per, uneven: false };
+    };
+    // Of two sides of which one has another kind of motion, that one does not count.
+    let above = value(up).filter(|_| up.alike || !down.alike);
+    let below = value(down).filter(|_| down.alike || !up.alike);
+    let per = |from: T, to: T, by: f64| (to - from).f64() / by;
+    match (above, below) {
+        // At a zero the two sides of a magnitude are alike: each counts by itself.
+        (Some(a), Some(b)) if y != 0.0 => {
+            let whole = per(b, a, up.by - down.by);
+            // Where the sides differ, as about a singularity, their mean would hide it.
+            let sides = base.map(|base| (per(base, a, up.by), per(base, b, down.by)));
+            let kink = sides.filter(|(u, d)| (u.abs() - d.abs()).abs() > UNEVEN * whole.abs());
+            EntrySlope { per: kink.map_or(whole, |(u, d)| larger(u, d)), uneven: kink.is_some() }
+        }
+        (above, below) => {
+            let sides = [above.map(|a| alone(a, up.by)), below.map(|b| alone(b, down.by))];
+            let per = sides.into_iter().flatten().reduce(larger).unwrap_or(f64::INFINITY);
+            EntrySlope { per, uneven: false }
+        }
+    }
 }
 
 /// The sum of the changes as a share of the answer. A place that is 0 is told by the scale of its terms: where the origin lies

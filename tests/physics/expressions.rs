@@ -666,3 +666,121 @@ problems:
     let wound = refused("ties: [rolls: {body: ball, on its: rim}]", cord);
     assert!(wound.contains("as if it were smooth"), "{wound}");
 }
+
+/// What was measured to be 0 is found at the limit: the spin with which a rod just gets to the top, and the speed with which a ball just keeps
+/// to its loop. `omega1^2 = w^2 - 6 g/L`; `N = m (v^2/(R - r) - g)` at the top, with `7/10 m v^2` of a rolling ball.
+#[test]
+fn what_only_just_gets_there_is_found() {
+    let text = "bank: b
+title: B
+problems:
+  p:
+    title: A limit
+    data:
+      z: {name: z, unit: UNIT, draw: always 0, measured: MEASURED}
+      x: {name: x, unit: X, unknown: RANGE step 0.1}
+    scene:
+      bodies: {body: BODY}
+      joints: JOINTS
+      start: {body: START}
+      end: {angle: {of: body, reaches: 180 deg}}
+    questions: {q: {value: x, unit: X, ask: x}}
+    statement: s
+";
+    let written = |parts: [&str; 7]| {
+        let names = ["UNIT", "MEASURED", "X", "BODY", "JOINTS", "START", "RANGE"];
+        names.iter().zip(parts).fold(text.to_owned(), |text, (name, part)| text.replace(name, part))
+    };
+    let rod = [
+        "rad/s",
+        "omega",
+        "rad/s",
+        "{mass: 2 kg, shape: {rod: 1.2 m}, moves: in the plane, angle: from hanging}",
+    ];
+    let pin = ["{O: {pins: body.A}}", "{angle: 0 deg, spin: x}", "1 to 12"];
+    let ball = [
+        "N",
+        "loop.normal",
+        "m/s",
+        "{mass: 0.1 kg, shape: {sphere: 0.02 m}, moves: in the plane, angle: from hanging}",
+    ];
+    let track =
+        ["{loop: {rolls: body, radius: 0.02 m, inside: 0.5 m}}", "{angle: 0 deg, speed: x}", "4 to 9"];
+    let all =
+        |a: [&'static str; 4], b: [&'static str; 3]| written([a[0], a[1], a[2], a[3], b[0], b[1], b[2]]);
+    let cases = [
+        (all(rod, pin), (6.0f64 * 9.81 / 1.2).sqrt()),
+        (all(ball, track), (27.0f64 / 7.0 * 9.81 * 0.48).sqrt()),
+    ];
+    for (text, exact) in &cases {
+        let bank = read(text).expect("a bank");
+        let problem = &bank.problems[0];
+        let mut data = vec![0.0, 0.0];
+        data.resize(problem.data.len(), 9.81);
+        let solved =
+            slipstick::solve::agree::solve(&problem.cases[0].scene, &data).expect("both roads find it");
+        let entry = solved.get(problem.questions[0].label).expect("an answer");
+        assert!((entry.value() - exact).abs() < 1e-13 * exact, "{entry:?} {exact}");
+    }
+    // That of the rod is enclosed, too.
+    let bank = read(&cases[0].0).expect("a bank");
+    let variant = drawn(&bank.problems[0], "s");
+    let entry = variant.solved.get(bank.problems[0].questions[0].label).expect("an answer");
+    assert!(entry.bound.is_some_and(|b| b < 1e-8), "enclosed: {entry:?}");
+}
+
+/// An expression is measured: the force at the pin of a rod that swings down from level is `r` times its weight, `w^2 = 2 (r - 1) g/L - 3 g/L`; and
+/// what a motion that follows tells: a block compresses a spring by `x` after it has slid `s` down an incline, where
+/// `(s + x) m g (sin - mu cos) = ks x^2/2` (Schaum, problem 17.36: 0.33 m).
+#[test]
+fn an_expression_and_the_motion_that_follows_are_measured() {
+    let rod = "bank: b
+title: B
+problems:
+  p:
+    title: A rod
+    data:
+      m: {name: m, unit: kg, draw: always 2}
+      L: {name: L, unit: m, draw: always 1.2}
+      r: {name: r, unit: '1', draw: always 4, measured: O.pin_y/(m*g)}
+      x: {name: x, unit: rad/s, unknown: 1 to 12 step 0.1}
+    scene:
+      bodies: {rod: {mass: m, shape: {rod: L}, moves: in the plane, angle: from hanging}}
+      joints: {O: {pins: rod.A}}
+      start: {rod: {angle: 90 deg, spin: -x}}
+      end: {angle: {of: rod, reaches: 0 deg}}
+    questions: {q: {value: x, unit: rad/s, ask: x}}
+    statement: s
+";
+    let block = "bank: b
+title: B
+problems:
+  p:
+    title: A block
+    data:
+      x1: {name: x1, unit: mm, draw: always 75, measured: next.displacement}
+      x: {name: x, unit: mm, unknown: 50 to 2000 step 1}
+    scene:
+      surfaces: {incline: {slope: atan(0.57735026918962576)}}
+      bodies: {block: {mass: 7 kg, moves: along incline, positive: down}}
+      ties: [slides: {body: block, mu_k: 0.25}]
+      start: at rest
+      end: {travel: {of: block, by: x}}
+      next:
+        ties:
+          - slides: {body: block, mu_k: 0.25}
+          - cord: {name: spring, from: {body: block, tied at: centre, leaves: forward}, spring: {stiffness: 2800 N/m, stretch: 0 m, attached: rigidly}}
+        end: {turning point: block}
+    questions: {q: {value: x, unit: mm, ask: x}}
+    statement: s
+";
+    let (s, c) = 30f64.to_radians().sin_cos();
+    let slid = 1400.0 * 0.075 * 0.075 / (7.0 * 9.81 * (s - 0.25 * c)) - 0.075;
+    for (text, exact) in [(rod, (3.0f64 * 9.81 / 1.2).sqrt()), (block, slid)] {
+        let bank = read(text).expect("a bank");
+        let variant = drawn(&bank.problems[0], "s");
+        let entry = variant.solved.get(bank.problems[0].questions[0].label).expect("an answer");
+        assert!((entry.value() - exact).abs() < 1e-13 * exact, "{entry:?} {exact}");
+        assert!(entry.bound.is_some_and(|b| b < 1e-8), "enclosed: {entry:?}");
+    }
+}

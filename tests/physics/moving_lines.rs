@@ -205,6 +205,14 @@ fn a_crank_in_a_slotted_arm() {
     let work = G * (height(60.0) - height(-20.0));
     let omega = (2.0 * work / (2.0 * r * r / 3.0 + inertia * ratio * ratio)).sqrt();
     near(found, [omega, (omega * ratio).abs()]);
+
+    // Every draw of it was refused: in enclosures the place of the pin beside the slot was a zero that may be none.
+    let bank = read(&bodies("in the plane"), joints, &end).unwrap_or_else(|found| panic!("{found:?}"));
+    let scene = &bank.problems[0].cases[0].scene;
+    let mut solved = agree::solve(scene, &[G]).unwrap_or_else(|e| panic!("{e:?}"));
+    assert!(agree::prove(scene, &[G], &mut solved));
+    let label = labels::named(scene, "arm.omega").unwrap_or_else(|e| panic!("{e:?}"));
+    assert!(solved.get(label).is_some_and(|e| e.bound.is_some_and(|b| b < 1e-9)), "enclosed");
 }
 
 /// Schaum's Outline of Engineering Mechanics, problem 16.33: 0.544 m/s^2 and 114 N. The lower block lies on a rough floor, too: it is the

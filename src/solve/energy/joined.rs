@@ -165,7 +165,7 @@ fn dot<T: Real>(a: Vector<T>, b: Vector<T>) -> T {
 fn about<T: Real>(poses: &Poses<T>, body: usize, [along, aside]: Vector<T>, u: Vector<T>) -> T {
     let [c, s] = poses[body].axis.map(|x| x.value);
     let turn = along * (u[1] * c - u[0] * s);
-    if aside.is_zero() { turn } else { turn - aside * (u[0] * c + u[1] * s) }
+    if aside.is_nothing() { turn } else { turn - aside * (u[0] * c + u[1] * s) }
 }
 
 /// Everything that work and energy say of a scene of joined bodies, the time only if it is asked, and at how many places they looked.

@@ -19,7 +19,7 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Real, ball, trig};
 use crate::scene::{
-    Attach, Coordinate, Degree, End, Far, GivenForce, Heading, Label, Law, Numbers, Owner, Quantity,
+    Attach, Coordinate, Degree, End, Far, Found, GivenForce, Heading, Label, Law, Numbers, Owner, Quantity,
     RotaryInertia, Scene, Span, SpringTie, Tie, speed,
 };
 use crate::solve::energy::account::{Account, Store, Stores};
@@ -47,13 +47,22 @@ pub fn road_of<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Roa
     match &scene.formulas.found {
         Some(found) => {
             let forward = Forward {
-                rough: &|data, asked| alone(scene, data, asked),
-                measured: &|data, asked| alone(scene, data, asked),
+                rough: &|data, asked| measured(scene, found, data, asked),
+                measured: &|data, asked| measured(scene, found, data, asked),
                 exact: &|data, asked| answered(scene, data, asked),
             };
             found::road(found, data, &forward)
         }
         None => answered(scene, data, asked),
+    }
+}
+
+/// What was measured, with all data given: of an expression that is everything.
+fn measured<T: Real>(scene: &Scene, found: &Found, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
+    if found.label.quantity == Quantity::Value {
+        answered(scene, data, Scope::ALL)
+    } else {
+        alone(scene, data, asked)
     }
 }
 

@@ -19,7 +19,7 @@ use crate::num::{Lanes, lanes};
 use crate::num::{Real, trig};
 use crate::scene::pose;
 use crate::scene::{
-    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Heading, Label, Law, Made,
+    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, Found, GivenForce, Grows, Heading, Label, Law, Made,
     Numbers, Owner, Quantity, RotaryInertia, Scene, Side, Span, Start, Tie, speed,
 };
 use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, needs, normals, respond};
@@ -47,8 +47,8 @@ pub fn road_of<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Roa
     match &scene.formulas.found {
         Some(found) => {
             let forward = Forward {
-                rough: &|data, asked| alone(scene, data, asked),
-                measured: &|data, asked| alone(scene, data, asked),
+                rough: &|data, asked| measured(scene, found, data, asked),
+                measured: &|data, asked| measured(scene, found, data, asked),
                 exact: &|data, _| answered(scene, data),
             };
             found::road(found, data, &forward)
@@ -108,6 +108,11 @@ pub fn side_by_side(scene: &Scene) -> bool {
 /// Is nothing of it found from a measurement, and nothing asked by formulas?
 fn is_given(scene: &Scene) -> bool {
     scene.formulas.found.is_none() && scene.formulas.asked.is_empty()
+}
+
+/// What was measured, with all data given: of an expression that is everything.
+fn measured<T: Real>(scene: &Scene, found: &Found, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
+    if found.label.quantity == Quantity::Value { answered(scene, data) } else { alone(scene, data, asked) }
 }
 
 /// [`road`] with all data given.
