@@ -96,7 +96,7 @@ quantities! {
     Displacement "displacement" "m" Directed "displacement of the mass centre from start to end, positive forward";
     Distance "distance" "m" Magnitude "distance that the mass centre moves, there and back, a magnitude";
     ARolling "a_rolling" "m/s^2" Directed "acceleration of the mass centre once it rolls, positive forward";
-    Phi "phi" "rad" Magnitude "angle turned, a magnitude";
+    Phi "phi" "rad" Magnitude "angle turned, a magnitude; from start to end where a spin turns back";
     Heat "heat" "J" Magnitude "heat of sliding friction";
     WorkPull "work_pull" "J" Signed "work of the pull";
     PowerPull "power_pull" "W" Signed "power of the pull at the end";
