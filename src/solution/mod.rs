@@ -153,7 +153,8 @@ fn made(
         Err(DerivationStop::Beyond(what)) => {
             // What was written down up to here leads nowhere.
             draft = Draft::new(problem, variant, scene, words, Symbols::new(words));
-            Some(what)
+            let carried = scene.joints.iter().any(|joint| joint.kind.carrier().is_some());
+            Some(if what == Beyond::Unfound && carried { Beyond::Mechanism } else { what })
         }
     };
     let mut sections = std::mem::take(&mut draft.sections);
