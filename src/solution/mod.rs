@@ -312,7 +312,8 @@ fn told(draft: &Draft, q: &Question, value: f64) -> String {
     let whole = q.unit.tex_with(&tex_digits(&digits, draft.words));
     let senses = make_key::sense_words(draft.scene, q.label).filter(|_| q.label.quantity.is_directed());
     // `way` counts up the line, or to the right.
-    let up = senses.map(|[positive, _]| if matches!(positive, "up" | "forward") { value } else { -value });
+    let up =
+        senses.map(|[positive, _]| if matches!(positive, "down" | "back" | "left") { -value } else { value });
     let way = up.and_then(|up| way(draft.scene, q.label.of, up));
     format!("${whole}${}", way.map_or_else(String::new, |w| format!(" ({})", draft.words.get(w))))
 }
