@@ -254,6 +254,7 @@ impl SceneReader<'_> {
             formulas: Formulas { numbers: self.derived.take(), stays, below, ..Formulas::default() },
         };
         scene.still_turns();
+        scene.round_from_start();
         if WHOLE
             && let Some(lead) = scene.lead()
             && !matches!(scene.end, End::Time(..))

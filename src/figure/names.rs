@@ -92,9 +92,21 @@ pub fn sizes(tex: &str) -> Vec<&str> {
     if tex == "R" { vec!["R", "r"] } else { vec![tex] }
 }
 
-/// The symbol with something below it.
-pub fn tagged(symbol: &str, tag: &str) -> String {
-    if tag.is_empty() { symbol.to_owned() } else { format!("{symbol}_{{{tag}}}") }
+/// The symbol with something below it, behind what stands there already.
+pub fn tagged(tex: &str, mark: &str) -> String {
+    if mark.is_empty() {
+        return tex.to_owned();
+    }
+    let (base, raised) = tex.split_at(tex.find('^').unwrap_or(tex.len()));
+    // An index within an accent belongs to what the accent stands on.
+    let whole = |symbol: &str| symbol.matches('{').count() == symbol.matches('}').count();
+    match base.split_once('_').filter(|(symbol, _)| whole(symbol)) {
+        Some((symbol, below)) => {
+            let within = below.strip_prefix('{').and_then(|b| b.strip_suffix('}')).unwrap_or(below);
+            format!("{symbol}_{{{within},{mark}}}{raised}")
+        }
+        None => format!("{base}_{{{mark}}}{raised}"),
+    }
 }
 
 /// What stands below the symbols of each body: the number at the end of its name, its first letter if no other body has it,

@@ -186,7 +186,9 @@ const fn may_vanish(quantity: Quantity) -> bool {
 /// The words that give the sign of a quantity of this label, the positive one first; `None` of a magnitude, and where none tells it.
 pub fn sense_words(scene: &Scene, label: Label) -> Option<[&'static str; 2]> {
     let signs = word_signs(scene, label)?;
-    let forward = if label.quantity.is_directed() { signs.forward } else { 0 };
+    // In the plane nothing goes forward.
+    let on_a_line = label.quantity.is_directed() && !matches!(label.of, Owner::Joint(_));
+    let forward = if on_a_line { signs.forward } else { 0 };
     let senses = [
         (signs.up, ["up", "down"]),
         (forward, ["forward", "back"]),

@@ -96,7 +96,7 @@ quantities! {
     Displacement "displacement" "m" Directed "displacement of the mass centre from start to end, positive forward";
     Distance "distance" "m" Magnitude "distance that the mass centre moves, there and back, a magnitude";
     ARolling "a_rolling" "m/s^2" Directed "acceleration of the mass centre once it rolls, positive forward";
-    Phi "phi" "rad" Magnitude "angle turned, a magnitude";
+    Phi "phi" "rad" Magnitude "angle turned, a magnitude; from start to end where a spin turns back";
     Heat "heat" "J" Magnitude "heat of sliding friction";
     WorkPull "work_pull" "J" Signed "work of the pull";
     PowerPull "power_pull" "W" Signed "power of the pull at the end";
@@ -498,16 +498,22 @@ impl Scene {
             _ => None,
         };
         let fixed = line.is_some_and(|line| line.fixed_deg(&self.bodies).is_some());
-        let signed = match label.quantity {
-            Quantity::Normal => fixed,
-            Quantity::XEq => self.springs().any(|spring| spring.rigid),
-            _ => false,
-        };
-        label.quantity.is_magnitude() && !signed
+        let on_joint = matches!(joint, Some(JointKind::Guide { .. } | JointKind::Contact { .. }));
+        match label.quantity {
+            Quantity::Normal => !fixed,
+            Quantity::Impulse if on_joint => !fixed,
+            Quantity::XEq => !self.rigid_springs(label),
+            other => other.is_magnitude(),
+        }
     }
-    /// Does what has this tension push as well as it pulls?
+    /// Is the spring of this label attached rigidly, or one of all springs where it names none?
+    fn rigid_springs(&self, label: Label) -> bool {
+        let named = |spring: &SpringTie| !matches!(label.of, Owner::Tie(tie) if tie != spring.tie);
+        self.springs().filter(named).any(|spring| spring.rigid)
+    }
+    /// Does what has this force, or this impulse in a blow, push as well as it pulls?
     pub fn may_push(&self, label: Label) -> bool {
-        label.quantity == Quantity::Tension
+        matches!(label.quantity, Quantity::Tension | Quantity::SpringForce | Quantity::Impulse)
             && match label.of {
                 Owner::Tie(t) => matches!(
                     self.ties.get(t),
@@ -519,7 +525,7 @@ impl Scene {
                     matches!(self.joints.get(j), Some(Joint { kind: JointKind::Cord { rod: true, .. }, .. }))
                 }
                 Owner::Strut(s) => self.struts.get(s).is_some_and(|strut| strut.acts == Acts::Both),
-                _ => false,
+                _ => label.quantity == Quantity::SpringForce,
             }
     }
     /// A value of this as it is asked: only its size where that alone counts.

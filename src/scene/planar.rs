@@ -405,6 +405,25 @@ impl Scene {
             body.turns &= turned.contains(&b) || acts.iter().any(off);
         }
     }
+    /// What rolls on a line about its mass centre looks the same at every angle: where nothing else turns and no angle is given, that of
+    /// the first counts from the start.
+    pub fn round_from_start(&mut self) {
+        let round = |body: usize| {
+            let on_line = |joint: &Joint| match joint.kind {
+                JointKind::Contact { at, surface: Surface::Line(_), rolls: true, .. } => at.body == body,
+                _ => false,
+            };
+            let centred = |planar: &Planar| {
+                planar.points.iter().all(|(_, at)| *at == [planar.centre, Place::At(Num::Fixed(0.0))])
+            };
+            self.joints.iter().any(on_line) && self.planar(body).is_some_and(centred)
+        };
+        let turning = || (0..self.bodies.len()).filter(|body| self.bodies[*body].turns);
+        let first = turning().next().filter(|_| self.lead().is_none() && turning().all(round));
+        if let Some(planar) = first.and_then(|body| self.bodies[body].planar.as_mut()) {
+            planar.start_deg = Some(Num::Fixed(0.0));
+        }
+    }
     /// Is a torsion spring wound by half a turn or more at the start, as far as the data say it?
     pub fn is_overwound(&self, data: &[f64]) -> bool {
         let wound = |strut: &Strut| match (strut.rest, self.planar(strut.at.body)?.start_deg) {

@@ -270,11 +270,11 @@ impl<'d, 'a> Account<'d, 'a> {
                 if let Expr::Symbol(s) = first { self.symbols.tex(s).to_owned() } else { "P".to_owned() };
             // Of a first value `M_0` the last one is `M_1`.
             let base = name.strip_suffix("_0").unwrap_or(&name);
-            let last = self.page.find(&[marked(base, "1")], unit, &first + gain);
+            let last = self.page.find(&[tagged(base, "1")], unit, &first + gain);
             let mean = (growth.law.with == Grows::Place).then(|| {
                 let h = i64::from(growth.law.halves);
                 let mean = weighed([(&first, (h, h + 2)), (&last.into(), (2, h + 2))]);
-                self.page.find(&[marked(base, r"\mathrm{m}")], unit, mean)
+                self.page.find(&[tagged(base, r"\mathrm{m}")], unit, mean)
             });
             for action in self.m.actions.iter_mut().filter(|a| a.source == source) {
                 action.force = mean.unwrap_or(last).into();
@@ -397,7 +397,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// A new quantity.
     pub fn new_symbol(&mut self, names: &[impl AsRef<str>], unit: &str) -> SymbolId {
-        let tex = marked(&self.free(names), mark_of(&self.page));
+        let tex = tagged(&self.free(names), mark_of(&self.page));
         self.unknown(&tex, unit)
     }
 
@@ -515,7 +515,7 @@ impl<'d, 'a> Account<'d, 'a> {
             from => {
                 let alone = self.m.parts.len() == 1 || matches!(label.of, Owner::Scene);
                 let tag = if alone { String::new() } else { self.m.parts[body].tag.clone() };
-                let names = names_of(label.quantity).map(|n| marked(n, &tag));
+                let names = names_of(label.quantity).map(|n| tagged(n, &tag));
                 self.page.find(&names, label.quantity.unit(), from)
             }
         };
@@ -790,7 +790,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let names = names_of(label.quantity).map(|name| tagged(name, &tag));
         let tex = self.free(&names);
         let mut mark = String::new();
-        if self.symbols.named(&[&marked(&tex, mark_of(&self.page))]).is_some() {
+        if self.symbols.named(&[&tagged(&tex, mark_of(&self.page))]).is_some() {
             // Another body or cord bears it already.
             mark = match label.of {
                 Owner::Body(b) => self.m.parts[b].tag.clone(),
@@ -798,7 +798,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 _ => "*".to_owned(),
             };
         }
-        let symbol = self.new_symbol(&[marked(&tex, &mark)], label.quantity.unit());
+        let symbol = self.new_symbol(&[tagged(&tex, &mark)], label.quantity.unit());
         self.found(label, symbol, from)
     }
 
@@ -1507,7 +1507,7 @@ impl<'d, 'a> Account<'d, 'a> {
         if self.value(&first).abs() <= self.symbols.value(last).abs() {
             return Ok(last);
         }
-        let name = marked(self.symbols.tex(last), "0");
+        let name = tagged(self.symbols.tex(last), "0");
         Ok(self.page.find(&[&name], "N", first))
     }
 
@@ -1559,7 +1559,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let now = self.get(of_body(Quantity::Friction, body))?;
         let springs = self.springs.clone();
         let mut there = |of: SymbolId| {
-            let tex = marked(self.symbols.tex(of), mark);
+            let tex = tagged(self.symbols.tex(of), mark);
             self.page.draft.symbols.unknown_like(&tex, of)
         };
         let symbol = there(now);
@@ -1860,23 +1860,6 @@ pub fn stored(stiffness: &Expr, first: &Expr, last: &Expr) -> Expr {
 /// The sum of these, each with its share.
 fn weighed<const N: usize>(terms: [(&Expr, (i64, i64)); N]) -> Expr {
     Sum::of(terms.map(|(of, (over, under))| of.factors().times(ratio(over, under)))).expr()
-}
-
-/// A symbol with a mark below it, behind what stands there already.
-pub fn marked(tex: &str, mark: &str) -> String {
-    if mark.is_empty() {
-        return tex.to_owned();
-    }
-    let (base, raised) = tex.split_at(tex.find('^').unwrap_or(tex.len()));
-    // An index within an accent belongs to what the accent stands on.
-    let whole = |symbol: &str| symbol.matches('{').count() == symbol.matches('}').count();
-    match base.split_once('_').filter(|(symbol, _)| whole(symbol)) {
-        Some((symbol, below)) => {
-            let within = below.strip_prefix('{').and_then(|b| b.strip_suffix('}')).unwrap_or(below);
-            format!("{symbol}_{{{within},{mark}}}{raised}")
-        }
-        None => format!("{base}_{{{mark}}}{raised}"),
-    }
 }
 
 /// 1 or -1.

@@ -8,11 +8,11 @@ use crate::finding::Finding;
 use crate::num::shown;
 use crate::problem::maker::Variant;
 use crate::scene::{AsIf, Body, End, Label, Mass, Num, Quantity, Scene};
-use crate::solution::account::marked;
 use crate::solution::asked;
 use crate::solution::expr::{Expr, SymbolId, ZERO};
 use crate::solution::page::Step;
 use crate::solution::symbols::{FIGURES, Symbols, tex_digits};
+use crate::solution::terms::tagged;
 use crate::solution::text::SolutionSection;
 use crate::solve::outcome::{Entry, Word};
 use crate::units::Unit;
@@ -239,7 +239,7 @@ impl<'a> Draft<'a> {
                 let mut name = self.free(&names::sizes(tex));
                 for i in 1..10 {
                     if self.tells(&name) {
-                        name = marked(tex, &i.to_string());
+                        name = tagged(tex, &i.to_string());
                     }
                 }
                 let symbol = self.symbols.given(&name, x, &digits, &unit, degrees);

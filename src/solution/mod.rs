@@ -153,7 +153,8 @@ fn made(
         Err(DerivationStop::Beyond(what)) => {
             // What was written down up to here leads nowhere.
             draft = Draft::new(problem, variant, scene, words, Symbols::new(words));
-            Some(what)
+            let carried = scene.joints.iter().any(|joint| joint.kind.carrier().is_some());
+            Some(if what == Beyond::Unfound && carried { Beyond::Mechanism } else { what })
         }
     };
     let mut sections = std::mem::take(&mut draft.sections);
@@ -311,7 +312,8 @@ fn told(draft: &Draft, q: &Question, value: f64) -> String {
     let whole = q.unit.tex_with(&tex_digits(&digits, draft.words));
     let senses = make_key::sense_words(draft.scene, q.label).filter(|_| q.label.quantity.is_directed());
     // `way` counts up the line, or to the right.
-    let up = senses.map(|[positive, _]| if matches!(positive, "up" | "forward") { value } else { -value });
+    let up =
+        senses.map(|[positive, _]| if matches!(positive, "down" | "back" | "left") { -value } else { value });
     let way = up.and_then(|up| way(draft.scene, q.label.of, up));
     format!("${whole}${}", way.map_or_else(String::new, |w| format!(" ({})", draft.words.get(w))))
 }

@@ -6,8 +6,7 @@ use crate::scene::{
     Quantity, RotaryInertia, Slope, Span, SpringTie, Start, Thrown, Tie,
 };
 use crate::solution::account::{
-    Account, CordSpring, OMEGA_SWING, TIME_SLACK, half_squares, marked, of_body, of_scene, of_tie, speed_of,
-    stored,
+    Account, CordSpring, OMEGA_SWING, TIME_SLACK, half_squares, of_body, of_scene, of_tie, speed_of, stored,
 };
 use crate::solution::draft::{Detail, Draft, is_rate, tex_of};
 use crate::solution::expr::{
@@ -1419,7 +1418,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 let x = first.x + first.v * left + ratio(1, 2) * (a_r * square(left));
                 let phi = |x: SymbolId| first.phi + (x - first.x) / &c;
                 end = self.leg("1", [first.v + a_r * left, x], None, &c, &phi);
-                let tex = marked(self.symbols.tex(alpha), r"\mathrm{r}");
+                let tex = tagged(self.symbols.tex(alpha), r"\mathrm{r}");
                 rates = [a_r, self.find(&[&tex], "rad/s^2", a_r / &c)];
                 if self.asks(Quantity::Alpha) {
                     self.tell_new();
@@ -1454,7 +1453,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let level = rolling == ZERO;
         self.say(if level { "thrown.roll_level" } else { "thrown.roll" }, &[]);
         let f = self.get(of_body(Quantity::Friction, body))?;
-        let [a_tex, f_tex] = [self.rate(), f].map(|s| marked(self.symbols.tex(s), r"\mathrm{r}"));
+        let [a_tex, f_tex] = [self.rate(), f].map(|s| tagged(self.symbols.tex(s), r"\mathrm{r}"));
         let a = self.find(&[&a_tex], "m/s^2", rolling);
         let back = -f64::from(self.m.parts[body].up);
         let f = self.find(&[&f_tex], "N", if level { ZERO } else { in_sense(j.by(a), back) });
@@ -1496,7 +1495,7 @@ impl<'d, 'a> Account<'d, 'a> {
     ) -> LegEnd {
         let below = relative(self, "");
         let found = |n: &mut Self, names: &[&str], unit: &str, is: Expr| {
-            let tex = marked(&n.free(names), mark);
+            let tex = tagged(&n.free(names), mark);
             n.find(&[tex], unit, is)
         };
         let v = found(self, &[&tagged("v", &below), &tagged("v_G", &below)], "m/s", v);
@@ -1958,7 +1957,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let Some((action, needed)) = self.balancing_pull() else { return };
         let force = self.tex(&action.force);
         let digits = self.digits(self.value(&needed), FIGURES);
-        let text = format!(r"${} = {} = {digits}\ {}$", marked(&force, "0"), self.tex(&needed), tex_of("N"));
+        let text = format!(r"${} = {} = {digits}\ {}$", tagged(&force, "0"), self.tex(&needed), tex_of("N"));
         self.say("limits.balance", &[("force", &action.force), ("is", &text)]);
     }
 

@@ -15,9 +15,6 @@ pub const EACH_ROAD: f64 = 8.0;
 /// However ill-conditioned an answer is, the roads compute it from the same data in 32 digits and must share two of its own.
 const NO_DIGITS: f64 = 1e-2;
 
-/// Condition number beyond which what is not asked beside an inverse question has no value: the period of a rod that just gets upright.
-const ENDLESS: f64 = 1e8;
-
 /// Share of an answer within which a narrow enclosure lies, far above what the data leave open of a common answer.
 const NARROW: f64 = 1e-9;
 
@@ -117,17 +114,16 @@ fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Half, Ref
         entries.push(Entry { label, eom: Some(value), energy: None, bound: None, cond: f64::NAN, scale });
     }
     let (regime, mut checks, words) = physical::judge_road(scene, &road);
-    // What was measured to be 0 is at its limit, and meant to be: a contact only just holds, a motion only just gets there, and no
-    // margin keeps it from that.
-    if let Some(found) = scene.formulas.found.filter(|f| f.measured.value::<f64>(data) == 0.0) {
+    // A force that was measured to be 0 is at its limit, and meant to be: no margin keeps it from there.
+    let nothing = |label: Label| entries.iter().any(|e| e.label == label && e.value() == 0.0);
+    if let Some(found) =
+        scene.formulas.found.filter(|f| f.label.quantity == Quantity::Normal && nothing(f.label))
+    {
         let of = |c: &Check| if scene.joints.is_empty() { Owner::Body(c.of) } else { Owner::Joint(c.of) };
-        let at_limit = |c: &&mut Check| match found.label.quantity {
-            Quantity::Normal => {
-                matches!(c.kind, CheckKind::Pressed | CheckKind::Taut) && of(c) == found.label.of
-            }
-            _ => c.kind == CheckKind::Reaches,
+        let presses = |c: &&mut Check| {
+            matches!(c.kind, CheckKind::Pressed | CheckKind::Taut) && of(c) == found.label.of
         };
-        for check in checks.iter_mut().filter(at_limit) {
+        for check in checks.iter_mut().filter(presses) {
             *check = Check { ok: true, available: 0.0, margin: f64::INFINITY, ..*check };
         }
     }
@@ -332,7 +328,6 @@ fn compared(
     (solved, course, next): (&mut Solved, Kind, Kind),
 ) -> Result<(), Refusal> {
     let second: Road<Dd> = energy::road_of(scene, data, asked)?;
-    let mut gone = Vec::new();
     for (i, entry) in solved.entries.iter_mut().enumerate() {
         let said = second.said_at(i, entry.label);
         let (mut eom, mut energy) = (entry.value(), said.map_or(f64::NAN, |s| s.value.f64() + 0.0));
@@ -350,11 +345,6 @@ fn compared(
         }
         if !agree(eom, energy, entry.cond) {
             let allowed = 2.0 * EACH_ROAD * U * entry.cond.max(1.0);
-            // Where a motion only just gets somewhere, its period has no value.
-            if scene.formulas.found.is_some() && entry.cond > ENDLESS {
-                gone.push(entry.label);
-                continue;
-            }
             return Err(Refusal::Disagree { label: entry.label, eom, energy, allowed });
         }
     }
@@ -369,8 +359,6 @@ fn compared(
     if let Some((_, said)) = second.said.iter().enumerate().find(|(i, s)| !known(s.label, *i)) {
         return Err(apart(said.label, said.value.f64()));
     }
-    solved.entries.retain(|entry| !gone.contains(&entry.label));
-    solved.beyond.extend(gone);
     // What ties leave open is the same on both roads.
     let open = |one: &[Label], other: &[Label]| one.iter().find(|l| !other.contains(l)).copied();
     if let Some(label) = open(&solved.open, &second.open).or(open(&second.open, &solved.open)) {

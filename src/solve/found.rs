@@ -2,20 +2,17 @@
 //! measurement. Each road finds it for itself, on its own equations, from the stated range alone.
 use crate::num::dd::pow2;
 use crate::num::{Fast, Real, ball, root};
-use crate::scene::{Found, Quantity};
+use crate::scene::Found;
 use crate::solve::outcome::{Refusal, Road, Said, Scope};
 
 /// Places of the stated range at which a change of sign is looked for.
 const PLACES: u32 = 16;
 /// Halvings of a place of the range at whose one end there is nothing to measure.
 const HALVINGS: u32 = 50;
-/// Relative step of the last correction, in doubles and in 32 digits: so short that the solution is linear over it also where it bends
-/// much, as just above the speed with which a rod gets over the top.
-const STEPS: [f64; 2] = [pow2(-26), pow2(-48)];
+/// Relative step of the last correction: the solution is linear over it up to 2^-78.
+const STEP: f64 = pow2(-26);
 /// The last correction may not be larger than this: beyond it what is linear over a step no longer tells the root.
 const NEAR: f64 = pow2(-34);
-/// Share of what is measured elsewhere below which it is nothing next to where it ends.
-const JUST: f64 = 1e-6;
 /// Half-widths that are tried about the root, as powers of 2 of its size.
 const WIDTHS: [i32; 4] = [-44, -40, -34, -28];
 /// Enclosures of parts of the range that are spent on showing that there is no other root.
@@ -34,11 +31,9 @@ pub struct Forward<'f, T: Real> {
     pub exact: Says<'f, T>,
 }
 
-/// What is measured on a road, less its printed value; of a speed that was measured to be 0 its square, for that is what goes evenly to 0.
+/// What is measured on a road, less its printed value.
 fn miss<T: Real>(found: &Found, road: &Road<T>, data: &[f64]) -> Option<T> {
-    let (said, printed) = (road.get(found.label)?.value, found.measured.value::<T>(data));
-    let speed = matches!(found.label.quantity, Quantity::Omega | Quantity::V);
-    Some(if speed && printed.f64() == 0.0 { said.square() } else { said - printed })
+    road.get(found.label).map(|said| said.value - found.measured.value(data))
 }
 
 /// The road at the value of the unknown that gives the measurement.
@@ -54,14 +49,13 @@ pub fn road<T: Real>(found: &Found, data: &[f64], forward: &Forward<T>) -> Resul
     }
     at[unknown] = root;
     let mut near = (forward.exact)(&at, Scope::ALL)?;
-    let step = STEPS[usize::from(!T::is_double())];
-    at[unknown] = root * (1.0 + step);
+    at[unknown] = root * (1.0 + STEP);
     let beside = (forward.exact)(&at, Scope::ALL)?;
     let (y0, y1) = (miss(found, &near, data), miss(found, &beside, data));
     let (Some(y0), Some(y1)) = (y0, y1) else { return Err(Refusal::NotFound) };
     // The share of the step at which nothing is missing.
     let share = -(y0 / (y1 - y0));
-    let settled = share.size() * step < NEAR;
+    let settled = share.size() * STEP < NEAR;
     if !settled && !T::is_double() {
         return Err(Refusal::NotFound);
     }
@@ -126,11 +120,6 @@ fn search<T: Real>(found: &Found, data: &[f64], forward: &Forward<T>) -> Option<
             if from.1 * to.1 <= 0.0 {
                 return between(from, to);
             }
-            // What is measured to be 0 is so where the motion only just gets there, or a contact only just holds.
-            let (less, more) = if last.1.is_nan() { (from, to) } else { (to, from) };
-            if printed == 0.0 && less.1.abs() < JUST * more.1.abs() {
-                return Some(less.0);
-            }
         }
     }
     None
@@ -162,7 +151,6 @@ fn enclosed<T: Real>(
     forward: &Forward<T>,
 ) -> Result<Road<T>, Refusal> {
     let unknown = found.unknown.datum;
-    let nothing = found.measured.value::<f64>(at) == 0.0;
     // The sign of what is missing over an interval, where the enclosure decides it.
     let mut sign = |low: f64, high: f64| {
         let middle = f64::midpoint(low, high);
@@ -178,16 +166,14 @@ fn enclosed<T: Real>(
         (!doubt && size.is_finite() && size > missed.radius()).then(|| missed.sign())
     };
     let [low, high] = found.range;
-    let ends = WIDTHS.into_iter().map(|power| root.abs() * pow2(power)).find_map(|w| {
-        let ends = (sign(root - w, root - w)?, sign(root + w, root + w)?);
-        // Up to a limit there is something to measure, beyond it nothing.
-        let limit = [ends.0, ends.1].map(|end| nothing && end.is_nan());
-        (ends.0 * ends.1 < 0.0 || limit[0] != limit[1]).then_some((w, limit))
+    let width = WIDTHS.into_iter().map(|power| root.abs() * pow2(power)).find(|w| {
+        let ends = (sign(root - w, root - w), sign(root + w, root + w));
+        matches!(ends, (Some(a), Some(b)) if a * b < 0.0)
     });
-    let (width, limit) = ends.ok_or(Refusal::NotFound)?;
+    let width = width.ok_or(Refusal::NotFound)?;
     let mut spent = 0;
-    for ((from, to), beyond) in [(low, root - width), (root + width, high)].into_iter().zip(limit) {
-        let mut open = if from < to && !beyond { vec![(from, to)] } else { Vec::new() };
+    for (from, to) in [(low, root - width), (root + width, high)] {
+        let mut open = if from < to { vec![(from, to)] } else { Vec::new() };
         while let Some((from, to)) = open.pop() {
             spent += 1;
             if spent > MOST {
@@ -203,7 +189,5 @@ fn enclosed<T: Real>(
         }
     }
     at[unknown] = root;
-    let exact = || ball::spread(unknown, width, || (forward.exact)(at, Scope::ALL));
-    // At a limit itself the motion gets there, and the contact holds; at the ends of the interval nothing was in doubt.
-    if nothing { ball::unwatched(exact) } else { exact() }
+    ball::spread(unknown, width, || (forward.exact)(at, Scope::ALL))
 }

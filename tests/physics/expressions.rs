@@ -667,68 +667,6 @@ problems:
     assert!(wound.contains("as if it were smooth"), "{wound}");
 }
 
-/// What was measured to be 0 is found at the limit: the spin with which a rod just gets to the top, and the speed with which a ball just keeps
-/// to its loop. `omega1^2 = w^2 - 6 g/L`; `N = m (v^2/(R - r) - g)` at the top, with `7/10 m v^2` of a rolling ball.
-#[test]
-fn what_only_just_gets_there_is_found() {
-    let text = "bank: b
-title: B
-problems:
-  p:
-    title: A limit
-    data:
-      z: {name: z, unit: UNIT, draw: always 0, measured: MEASURED}
-      x: {name: x, unit: X, unknown: RANGE step 0.1}
-    scene:
-      bodies: {body: BODY}
-      joints: JOINTS
-      start: {body: START}
-      end: {angle: {of: body, reaches: 180 deg}}
-    questions: {q: {value: x, unit: X, ask: x}}
-    statement: s
-";
-    let written = |parts: [&str; 7]| {
-        let names = ["UNIT", "MEASURED", "X", "BODY", "JOINTS", "START", "RANGE"];
-        names.iter().zip(parts).fold(text.to_owned(), |text, (name, part)| text.replace(name, part))
-    };
-    let rod = [
-        "rad/s",
-        "omega",
-        "rad/s",
-        "{mass: 2 kg, shape: {rod: 1.2 m}, moves: in the plane, angle: from hanging}",
-    ];
-    let pin = ["{O: {pins: body.A}}", "{angle: 0 deg, spin: x}", "1 to 12"];
-    let ball = [
-        "N",
-        "loop.normal",
-        "m/s",
-        "{mass: 0.1 kg, shape: {sphere: 0.02 m}, moves: in the plane, angle: from hanging}",
-    ];
-    let track =
-        ["{loop: {rolls: body, radius: 0.02 m, inside: 0.5 m}}", "{angle: 0 deg, speed: x}", "4 to 9"];
-    let all =
-        |a: [&'static str; 4], b: [&'static str; 3]| written([a[0], a[1], a[2], a[3], b[0], b[1], b[2]]);
-    let cases = [
-        (all(rod, pin), (6.0f64 * 9.81 / 1.2).sqrt()),
-        (all(ball, track), (27.0f64 / 7.0 * 9.81 * 0.48).sqrt()),
-    ];
-    for (text, exact) in &cases {
-        let bank = read(text).expect("a bank");
-        let problem = &bank.problems[0];
-        let mut data = vec![0.0, 0.0];
-        data.resize(problem.data.len(), 9.81);
-        let solved =
-            slipstick::solve::agree::solve(&problem.cases[0].scene, &data).expect("both roads find it");
-        let entry = solved.get(problem.questions[0].label).expect("an answer");
-        assert!((entry.value() - exact).abs() < 1e-13 * exact, "{entry:?} {exact}");
-    }
-    // That of the rod is enclosed, too.
-    let bank = read(&cases[0].0).expect("a bank");
-    let variant = drawn(&bank.problems[0], "s");
-    let entry = variant.solved.get(bank.problems[0].questions[0].label).expect("an answer");
-    assert!(entry.bound.is_some_and(|b| b < 1e-8), "enclosed: {entry:?}");
-}
-
 /// An expression is measured: the force at the pin of a rod that swings down from level is `r` times its weight, `w^2 = 2 (r - 1) g/L - 3 g/L`; and
 /// what a motion that follows tells: a block compresses a spring by `x` after it has slid `s` down an incline, where
 /// `(s + x) m g (sin - mu cos) = ks x^2/2` (Schaum, problem 17.36: 0.33 m).

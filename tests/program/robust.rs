@@ -252,7 +252,11 @@ fn a_file_that_changes_while_it_is_graded() {
     assert!(room.grade("g", &[]).status.success());
     let lasts = begun.elapsed();
     let mut told = 0;
-    for nth in 1..=8u32 {
+    // How long a grading lasts depends on what else runs: some rounds more until a change falls into one.
+    for nth in (1..=8u32).cycle().take(64) {
+        if nth == 1 && told > 0 {
+            break;
+        }
         room.write("in.csv", &rows);
         let child = room
             .command()

@@ -310,11 +310,12 @@ impl SceneReader<'_> {
         let at = self.spot(node, bodies);
         let on = fields.get("on");
         let along_node = if on.is_some() { fields.get("along") } else { fields.need("along", "horizontal") };
-        let mut line = self.straight((on, along_node), fields, bodies)?;
+        let line = self.straight((on, along_node), fields, bodies);
         let words = [("up", Ray::Up), ("down", Ray::Down), ("left", Ray::Left), ("right", Ray::Right)];
         let pushes_node = fields.get("pushes");
         let pushes = pushes_node.and_then(|n| self.word(n, "whither it pushes", &words));
         let mu_k = self.optional(fields, "mu_k", Need::FRICTION);
+        let mut line = line?;
         let mut reversed = false;
         if let (Some(pushes), Some(node)) = (pushes, pushes_node) {
             // The normal force is positive to the left of the direction.
@@ -333,7 +334,7 @@ impl SceneReader<'_> {
                     }
                 }
                 (None, ..) if line.on.is_some() => {
-                    let hint = "leave `pushes` away: the normal force is positive to the left of the line, and its sign tells which side presses";
+                    let hint = "leave `pushes` away: the line then holds on both sides";
                     f.hint(node, "a line on a body that turns, or along a drawn direction of it, has no side that is up or down", hint);
                 }
                 (None, Num::Datum(_), Ray::Up | Ray::Left) => {
