@@ -137,7 +137,8 @@ fn reaches(scene: &Scene, c: &Check) -> String {
         (false, _) if matches!(scene.end, End::Leaves(_)) => "not_left",
         // It is reached, and by a motion of no length.
         _ if at_start => "at_start",
-        (false, false) if matches!(scene.end, End::Time(..)) && !pinned => {
+        // In phases it goes on after a turning point, up to where nothing holds what slips.
+        (false, false) if matches!(scene.end, End::Time(..)) && !pinned && !scene.goes_in_phases() => {
             if endless {
                 "after_turning_endless"
             } else {
