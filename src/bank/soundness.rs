@@ -406,8 +406,10 @@ fn thrown(scene: &Scene, slips: Option<&str>, node: &Node, faults: &Faults) {
         );
     }
     let told_twice = slips.filter(|_| scene.goes_in_phases() && scene.heading.is_some());
-    let hint = "take `heading` away";
-    tell(&[(told_twice, "end", "`{}` is thrown; its speed says which way it goes", hint)], node, faults);
+    let end = part(node, "end");
+    let by_height = ["rise", "descent"].iter().any(|word| end.field(word).is_some());
+    let hint = if by_height { "write `travel`, along its line" } else { "take `heading` away" };
+    tell(&[(told_twice, "end", "`{}` is thrown; how it starts says which way it goes", hint)], node, faults);
 }
 
 /// Names in the statement and in the questions are symbols of the data or names that every template knows.

@@ -587,6 +587,7 @@ fn a_body_thrown_with_slip() {
         ("{rolling: ball}", "{rolling: wheel}"),
         ("{rolling: ball}", "{rollng: ball}"),
         ("{rolling: ball}", "{time: {of: ball, is: 2 s, heading: up}}"),
+        ("{rolling: ball}", "{rise: {of: ball, by: 0.1 m}}"),
         (slips, "        - rolls: {body: ball, on its: rim, mu_s: 0.4}"),
         ("v: {ask: the speed, unit: m/s}", "slip_sped: {ask: the speed, unit: m/s}"),
         ("[rolls_after]", "[rolls after]"),
@@ -601,8 +602,10 @@ fn a_body_thrown_with_slip() {
         hint: bodies: ball
     test.yaml:19:13: problems.slide.scene.end.rollng: `rollng` is no end
         hint: did you mean `rolling`?
-    test.yaml:19:12: problems.slide.scene.end: `ball` is thrown; its speed says which way it goes
+    test.yaml:19:12: problems.slide.scene.end: `ball` is thrown; how it starts says which way it goes
         hint: take `heading` away
+    test.yaml:19:12: problems.slide.scene.end: `ball` is thrown; how it starts says which way it goes
+        hint: write `travel`, along its line
     test.yaml:19:12: problems.slide.scene.end: `rolling` ends the slip of a body that is thrown with one; `ball` is not
         hint: write `slips:` for `ball` and `start: {ball: {speed: v0, spin: w0}}`
     test.yaml:22:7: problems.slide.questions.slip_sped: `slip_sped` is no quantity
