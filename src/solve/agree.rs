@@ -5,7 +5,7 @@ use crate::scene::pose::Gap;
 use crate::scene::{AsIf, End, Far, Label, Num, Owner, Quantity, Scales, Scene, Start, Tie, admissible};
 use crate::solve::condition::vanishes;
 use crate::solve::outcome::{
-    Check, CheckKind, Course, Entry, Kind, Refusal, Road, Said, Scope, Set, Solved, Told, Unsupported,
+    Check, CheckKind, Entry, Kind, Refusal, Road, Said, Scope, Set, Solved, Told, Unsupported,
 };
 use crate::solve::{condition, energy, eom, physical};
 
@@ -365,20 +365,21 @@ fn compared(
         return Err(apart(label, f64::NAN));
     }
     // Which way it goes and whether it arrives are answers too.
-    let alike = |(sense, reached): (f64, bool), other: &Course<Dd>| {
+    let alike = |one: ([f64; 2], bool), other: ([f64; 2], bool)| {
         let of = Owner::Body(scene.ending_coordinate().body);
         let label = Label { quantity: Quantity::Direction, of };
-        let differ = Refusal::Disagree { label, eom: sense, energy: other.sense, allowed: 0.0 };
-        if sense == other.sense && reached == other.reached { Ok(()) } else { Err(differ) }
+        let way = |(senses, _): ([f64; 2], bool)| senses[1];
+        let differ = Refusal::Disagree { label, eom: way(one), energy: way(other), allowed: 0.0 };
+        if one == other { Ok(()) } else { Err(differ) }
     };
     if let (Some(next), Some(other)) = (next, second.next.and_then(|road| road.course)) {
-        alike(next, &other)?;
+        alike(next, other.kind())?;
     }
-    if let (Some((sense, reached)), Some(other)) = (course, second.course) {
-        alike((sense, reached), &other)?;
+    if let (Some(course), Some(other)) = (course, second.course) {
+        alike(course, other.kind())?;
         // The drive is a sum of powers: only the second road has it, and only for margins.
         let Solved { regime, checks, words, .. } = solved;
-        physical::fill_drive(scene, sense, other.drive, (regime, checks, words));
+        physical::fill_drive(scene, other.sense, other.drive, (regime, checks, words));
     }
     Ok(())
 }

@@ -619,6 +619,8 @@ impl<T: Real> Said<T> {
 pub struct Course<P> {
     /// Sense in which the ending coordinate moves: 1 forward, -1 back, 0 not at all.
     pub sense: f64,
+    /// Sense in which the centre of the ending body moves: where its turn is counted, it may spin the other way.
+    pub way: f64,
     /// Driving and resisting force at the start, along the ending coordinate, both >= 0 (only their ratio means anything).
     pub drive: (P, P),
     /// Is the ending event reached before the turning point?
@@ -667,6 +669,8 @@ pub enum Held<P> {
 pub struct Throw {
     /// Index of the tie.
     pub tie: usize,
+    /// Is it known what becomes of the slip? What is told of rolling holds only then.
+    pub known: bool,
     /// Does it slip at the start?
     pub slips: bool,
     /// Does kinetic friction end the slip?
@@ -724,8 +728,8 @@ impl Scope {
     }
 }
 
-/// Sense of the motion, and whether its end is reached; `None` where only an instant is asked.
-pub type Kind = Option<(f64, bool)>;
+/// Senses of the ending coordinate and of the centre of its body, and whether the end is reached; `None` where only an instant is asked.
+pub type Kind = Option<([f64; 2], bool)>;
 
 /// What one road says of a scene: everything, or what it was asked for.
 #[derive(Debug, Clone)]
@@ -749,15 +753,19 @@ impl<P: Real> Course<P> {
     pub fn at_rest() -> Self {
         let zero = P::zero();
         let (drive, begins, farthest) = ((zero, zero), zero, zero);
-        Self { sense: 0.0, drive, reached: false, asked: None, begins, farthest, slowest: 1.0 }
+        Self { sense: 0.0, way: 0.0, drive, reached: false, asked: None, begins, farthest, slowest: 1.0 }
     }
     /// It moves in this sense.
     pub fn moving(sense: f64, reached: bool) -> Self {
-        Self { sense, reached, farthest: P::of(f64::INFINITY), ..Self::at_rest() }
+        Self { sense, way: sense, reached, farthest: P::of(f64::INFINITY), ..Self::at_rest() }
     }
     /// It does not get where it is asked.
     pub fn nowhere() -> Self {
         Self { sense: 1.0, ..Self::at_rest() }
+    }
+    /// Its senses, and whether its end is reached.
+    pub const fn kind(&self) -> ([f64; 2], bool) {
+        ([self.sense, self.way], self.reached)
     }
     /// Does its end lie where it starts?
     pub fn ends_where_it_starts(&self) -> bool {
@@ -787,7 +795,7 @@ impl<T: Real> Road<T> {
     }
     /// Which kind of motion it is.
     pub fn kind(&self) -> Kind {
-        self.course.as_ref().map(|c| (c.sense, c.reached))
+        self.course.as_ref().map(Course::kind)
     }
     /// The road with what is asked by formulas; `other` is the same road of another scene, with what that takes over from this one.
     /// What has no value is not said.

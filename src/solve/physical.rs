@@ -108,7 +108,7 @@ fn judge<P: Real>(
     }
     // The turn of a body has no such word.
     if body.planar.is_none() {
-        let way = way(body.line, course.sense).map_or(Word::Stays, |way| way.word);
+        let way = way(body.line, course.way).map_or(Word::Stays, |way| way.word);
         words.push((Label { quantity: Quantity::Direction, of: Owner::Body(end.body) }, way));
     }
     let needs =
@@ -154,7 +154,7 @@ fn motion<P: Real>(scene: &Scene, course: &Course<P>, held: &[Held<P>]) -> Motio
         Held::Rolling(tie, most, Some(available)) => slides(scene, *tie) && !within(*most, *available),
         _ => false,
     };
-    let thrown = |h: &Held<P>| if let Held::Thrown(t) = h { Some(*t) } else { None };
+    let thrown = |h: &Held<P>| if let Held::Thrown(t) = h { Some(*t).filter(|t| t.known) } else { None };
     let slipping = |h: &Held<P>| match h {
         Held::Slipping(tie, friction, available, _, sense) => {
             Some((*tie, friction.abs().status(*available), *sense))
@@ -194,7 +194,8 @@ fn motion<P: Real>(scene: &Scene, course: &Course<P>, held: &[Held<P>]) -> Motio
         false => 2,
     };
     let body = &scene.bodies[scene.ending_coordinate().body];
-    let way = way(body.line, course.sense);
+    // What spins in place is told by its turn.
+    let way = way(body.line, if course.way == 0.0 { course.sense } else { course.way });
     if body.planar.is_some() {
         let swings = [Motion::SwingsOk, Motion::SwingsTurningPoint, Motion::SwingsUnreachable];
         if course.sense == 0.0 { Motion::Rest } else { swings[end] }
@@ -259,7 +260,7 @@ fn check<P: Real>(scene: &Scene, held: &Held<P>, checks: &mut Vec<Check>) {
 /// The contact that could roll, and whether it does.
 fn rolling<P: Real>(scene: &Scene, held: &Held<P>) -> Option<(usize, bool)> {
     match held {
-        Held::Thrown(throw) => Some((throw.tie, throw.holds)),
+        Held::Thrown(throw) => throw.known.then_some((throw.tie, throw.holds)),
         Held::Rolling(tie, most, Some(available)) if !slides(scene, *tie) => {
             Some((*tie, within(*most, *available)))
         }
@@ -301,14 +302,19 @@ fn throw_checks(scene: &Scene, t: &Throw, checks: &mut Vec<Check>) {
     };
     checks.push(positive(CheckKind::StartsSlipping, t.tie, t.slip, t.slip / t.speeds));
     let rubs = scene.ties[t.tie].rubbing();
-    if t.slips && matches!(scene.end, End::Rolling(c) if rubs.is_some_and(|rub| rub.body == c.body)) {
+    if t.known
+        && t.slips
+        && matches!(scene.end, End::Rolling(c) if rubs.is_some_and(|rub| rub.body == c.body))
+    {
         checks.push(holds(CheckKind::Closes, t.closes, t.upkeep, t.kinetic));
     }
-    checks.push(match t.to_roll {
-        true => holds(CheckKind::NoSlip, t.holds, t.needed, t.available),
-        false => switch(CheckKind::StaticLimit, t.tie, t.needed, t.available),
-    });
-    if let (true, Some((asked, until))) = (t.slips, t.times) {
+    if t.known {
+        checks.push(match t.to_roll {
+            true => holds(CheckKind::NoSlip, t.holds, t.needed, t.available),
+            false => switch(CheckKind::StaticLimit, t.tie, t.needed, t.available),
+        });
+    }
+    if let (true, Some((asked, until))) = (t.known && t.slips, t.times) {
         checks.push(switch(CheckKind::SlipEnds, t.tie, asked, until));
     }
     if let Some((speed, speeds)) = t.at_end {

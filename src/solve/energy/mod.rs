@@ -506,7 +506,8 @@ impl<'a, T: Real> Ledger<'a, T> {
         // The turning point is where it is: no comparison with itself.
         let turns = matches!(self.scene.end, End::TurningPoint(_));
         let reached = !wrong_way && s.is_some_and(|s| turns || arrives(s));
-        self.road.course = Some(Course { drive, ..Course::moving(sense, reached) });
+        let way = self.way(&self.mode, sense);
+        self.road.course = Some(Course { drive, way, ..Course::moving(sense, reached) });
         self.look(&stores, if reached { s } else { None }, turning);
         let summed = self.points.map(|points| Sum { account: &account, points, evaluations: Cell::new(0) });
         if (!stores.is_empty() || !u0.is_zero()) && self.end.degree == Degree::Along {
@@ -523,6 +524,16 @@ impl<'a, T: Real> Ledger<'a, T> {
         }
         let evaluations = summed.map_or(0, |sum| sum.evaluations.get());
         Ok((self.road, Count { evaluations, ..Count::default() }))
+    }
+
+    /// Is it the turn of a body on a line that ends the motion?
+    fn counts_turn(&self) -> bool {
+        self.end.degree == Degree::Turn && self.scene.bodies[self.end.body].line.is_some()
+    }
+
+    /// Sense in which the centre of the ending body goes in this mode, taken in this sense.
+    fn way(&self, mode: &Mode<T>, sense: f64) -> f64 {
+        if self.counts_turn() { sense * mode.v[self.end.body].sign() } else { sense }
     }
 
     /// Is it declared to go the other way?
@@ -574,10 +585,12 @@ impl<'a, T: Real> Ledger<'a, T> {
         let Some(phases) = &self.phases else { return self.road };
         let reached = phases.ended && !self.goes_wrong(phases.sense);
         let [first, last] = phases.ends();
-        let own = if reached { last } else { first }.of(self.end).sign();
+        let at = if reached { last } else { first };
+        let own = at.of(self.end).sign();
         let sense = if own == 0.0 { phases.sense } else { own };
+        let way = if self.counts_turn() { at.v[self.end.body].sign() } else { sense };
         let (doubled, time) = (balance::inertia(&self.n, last, last), phases.time());
-        self.road.course = Some(Course::moving(sense, reached));
+        self.road.course = Some(Course { way, ..Course::moving(sense, reached) });
         self.if_rolled();
         self.grip(&[Pulls::new()]);
         if reached {
@@ -678,7 +691,8 @@ impl<'a, T: Real> Ledger<'a, T> {
         let reached = declared && extent.not_negative() && (onward || self.turned);
         let turn_back = if self.turned { momentum.sign() } else { 1.0 };
         let sense = sense * turn_back;
-        self.road.course = Some(Course { drive, ..Course::moving(sense, reached) });
+        let way = self.way(&self.mode, sense);
+        self.road.course = Some(Course { drive, way, ..Course::moving(sense, reached) });
         self.grip(&[smallvec![zero], smallvec![whole]]);
         if !reached {
             self.standing(&[whole]);
@@ -761,8 +775,13 @@ impl<'a, T: Real> Ledger<'a, T> {
     }
 
     fn if_rolled(&mut self) {
-        for (t, friction) in std::mem::take(&mut self.rolled) {
-            let Some(rub) = self.scene.ties[t].rubbing() else { continue };
+        let rolled = std::mem::take(&mut self.rolled);
+        for (t, tie) in self.scene.ties.iter().enumerate() {
+            let Some(rub) = tie.rubbing().filter(|rub| rub.radius_m.is_some()) else { continue };
+            let Some((_, friction)) = rolled.iter().find(|(of, _)| *of == t) else {
+                self.thrown(t, false);
+                continue;
+            };
             let (of, normal) = (Owner::Body(rub.body), balance::normal(self.scene, &self.n, rub.body));
             let later = self.phases.as_ref().and_then(|phases| phases.needed(t));
             let needed = later.map_or(friction.abs(), |later| later.larger(friction.abs()));

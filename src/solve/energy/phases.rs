@@ -9,8 +9,8 @@
 //! ```
 //! so that the way comes first, then the time (twice the way over the slip at the start), then the speeds from what each mode in which
 //! the contact stays at rest has gained of momentum.
-use crate::num::Real;
 use crate::num::plant::plant;
+use crate::num::{Real, ball};
 use crate::scene::{Coordinate, End, Numbers, Rubbing, Scene, Tie};
 use crate::solve::energy::account::{Account, Stores};
 use crate::solve::energy::balance::{self, PerTie, Reactions};
@@ -57,7 +57,7 @@ pub struct Phases<T: Real> {
     pub legs: SmallVec<[Phase<T>; 2]>,
     /// Is its end reached?
     pub ended: bool,
-    /// The contacts that are said to slip.
+    /// The contacts that are said to slip, but those that cannot be followed from the end to where they come to rest.
     pub rolled: SmallVec<[Rolled<T>; 1]>,
     /// Sense in which the ending coordinate sets off.
     pub sense: f64,
@@ -73,6 +73,7 @@ struct Follower<'s, 'a, T: Real> {
     turned: bool,
     gone: T,
     spent: T,
+    let_go: usize,
 }
 
 /// Is it a contact that is said to slip?
@@ -99,6 +100,22 @@ fn path<T: Real>(from: T, to: T, time: T) -> T {
     }
 }
 
+/// When the first contact comes to rest, and those that do so then. Of some at almost one time it makes no difference which is the
+/// first: friction does no work in the motions in which neither of them slips, and these alone go on.
+fn soonest<T: Real>(rests: &[(usize, T)]) -> (Option<T>, SmallVec<[usize; 2]>) {
+    let sooner = |a: T, b: T| if b.below(a) { b } else { a };
+    let Some(first) = ball::unwatched(|| rests.iter().map(|r| r.1).reduce(sooner)) else {
+        return (None, SmallVec::new());
+    };
+    let at_once = |time: T| ball::unwatched(|| time.apart(first).is_zero()) || time.at_most(first);
+    let (mut all, mut closed) = (first, SmallVec::new());
+    for (t, time) in rests.iter().filter(|r| at_once(r.1)) {
+        all = all.widened(|| (*time - first).size() + time.radius());
+        closed.push(*t);
+    }
+    (Some(all), closed)
+}
+
 impl<T: Real> Phases<T> {
     /// Follows the motion. `pulls` is what springs pull, at an instant.
     ///
@@ -107,33 +124,38 @@ impl<T: Real> Phases<T> {
         let (zero, at_once) = (T::zero(), scene.end == End::AtOnce);
         let mut from = speeds::at_start(scene, n)?;
         let kinetic = smallvec![None; scene.ties.len()];
-        let mut now =
-            Follower { scene, n, pulls, kinetic, sense: 0.0, turned: false, gone: zero, spent: zero };
+        let (gone, spent, turned, let_go) = (zero, zero, false, 0);
+        let mut now = Follower { scene, n, pulls, kinetic, sense: 0.0, turned, gone, spent, let_go };
         let mut all = Self { legs: SmallVec::new(), ended: false, rolled: SmallVec::new(), sense: 0.0 };
         let (mut held, mut needs) = now.onset(&from, &mut all.rolled)?;
-        let first = now.kinetic.clone();
+        let onset = now.kinetic.clone();
         loop {
             let (modes, rate) = (now.modes(), now.rate());
             // At an instant nothing hangs on what comes after it.
             let rests = if at_once { SmallVec::new() } else { now.comes_to_rest(&modes, &from) };
-            let first = rests.iter().copied().reduce(|a, b| if b.1.below(a.1) { b } else { a });
-            let next = first.map(|first| first.1);
+            let (next, closed) = soonest(&rests);
             let end = if all.ended { None } else { now.end_in(&from, &rate, next) };
             let kinetic = now.kinetic.clone();
             let leg = Phase { from: from.clone(), to: from.clone(), time: zero, rate, kinetic, held, needs };
             if let Some(time) = end {
-                let to = now.after(&modes, &from, time);
+                let to = match scene.end {
+                    // At rest by the definition of the event, not by what rounding leaves, and so are those that move with it alone.
+                    End::TurningPoint(_) => now.gained(&modes[1..], &now.kinetic, Some(&from), time),
+                    _ => now.after(&modes, &from, time),
+                };
                 all.legs.push(Phase { to, time, ..leg.clone() });
                 all.ended = true;
+            }
+            if all.ended && all.tells_rolling(scene) {
+                break;
             }
             let Some(time) = next else {
                 if !all.ended {
                     all.legs.push(leg);
                 }
+                now.if_held(onset, &mut all.rolled)?;
                 break;
             };
-            let now_too = |r: &&(usize, T)| Some(r.0) == first.map(|f| f.0) || r.1.apart(time).is_zero();
-            let closed: SmallVec<[usize; 2]> = rests.iter().filter(now_too).map(|r| r.0).collect();
             closed.iter().for_each(|t| now.kinetic[*t] = None);
             let to = now.after_with(&leg.kinetic, &from, time);
             now.spent = now.spent + time;
@@ -141,42 +163,24 @@ impl<T: Real> Phases<T> {
             if !all.ended {
                 all.legs.push(Phase { to, time, ..leg });
             }
-            held = now.reactions(&now.rate());
-            needs = now.needs(&held)?;
-            let holds = now.holding(&closed, &held, &needs, &mut all.rolled);
-            all.ended |= now.ends_at_rest(&closed, holds);
-            if !holds {
-                let slips = |t: &usize| self::slips(scene, *t);
-                if all.ended || closed.iter().any(slips) {
+            // After its end the motion goes on until all is told of what slips, or nothing is known any more.
+            match now.closing(&closed, &mut all) {
+                Ok(Some(next)) => (held, needs) = next,
+                Err(refusal) if !all.ended => return Err(refusal),
+                Ok(None) if !all.ended => {
+                    now.if_held(onset, &mut all.rolled)?;
                     break;
                 }
-                now.gives_way(&closed, &held)?;
-                if all.legs.len() > 4 * scene.ties.len() {
-                    return Err(Refusal::Unsupported(Unsupported::SlidesInTurn));
-                }
-                held = now.reactions(&now.rate());
-                needs = now.needs(&held)?;
+                _ => break,
             }
-        }
-        if let (End::TurningPoint(c), Some(leg)) = (scene.end, all.legs.last_mut()) {
-            // At rest by the definition of the event, not by what rounding leaves.
-            leg.to.stop(c);
         }
         all.sense = now.sense;
-        // What never comes to rest: as if it held at the start.
-        for (t, tie) in scene.ties.iter().enumerate() {
-            if matches!(tie, Tie::Slip { .. }) && all.rolled.iter().all(|known| known.tie != t) {
-                now.kinetic = first.clone();
-                now.kinetic[t] = None;
-                let rate = now.rate();
-                let held = now.reactions(&rate);
-                if held.is_open(t) {
-                    return Err(Refusal::Unsupported(Unsupported::SlipShared));
-                }
-                all.rolled.push(Rolled { tie: t, friction: held[t], rate });
-            }
-        }
         Ok(all)
+    }
+
+    /// Is it told of each contact that slips how it would roll?
+    fn tells_rolling(&self, scene: &Scene) -> bool {
+        (0..scene.ties.len()).all(|t| !slips(scene, t) || self.rolled.iter().any(|known| known.tie == t))
     }
 
     /// How something has gone that hangs linearly on the velocities.
@@ -332,6 +336,50 @@ impl<T: Real> Follower<'_, '_, T> {
         Ok(needs)
     }
 
+    /// Contacts come to rest: are they held, and what holds or lets go of what slides? `None` where one would have to roll and cannot.
+    fn closing(
+        &mut self,
+        closed: &[usize],
+        all: &mut Phases<T>,
+    ) -> Result<Option<(Reactions<T>, Needs<T>)>, Refusal> {
+        let held = self.reactions(&self.rate());
+        let needs = self.needs(&held)?;
+        let holds = self.holding(closed, &held, &needs, &mut all.rolled);
+        all.ended |= self.ends_at_rest(closed, holds);
+        if holds {
+            return Ok(Some((held, needs)));
+        }
+        if closed.iter().any(|t| slips(self.scene, *t)) {
+            return Ok(None);
+        }
+        self.gives_way(closed, &held)?;
+        let held = self.reactions(&self.rate());
+        let needs = self.needs(&held)?;
+        Ok(Some((held, needs)))
+    }
+
+    /// What never comes to rest: as if it held at the start, with this friction of the others.
+    fn if_held(
+        &mut self,
+        onset: PerTie<Option<T>>,
+        rolled: &mut SmallVec<[Rolled<T>; 1]>,
+    ) -> Result<(), Refusal> {
+        self.kinetic = onset;
+        for t in 0..self.scene.ties.len() {
+            if slips(self.scene, t) && rolled.iter().all(|known| known.tie != t) {
+                let rubbed = self.kinetic[t].take();
+                let rate = self.rate();
+                let held = self.reactions(&rate);
+                if held.is_open(t) {
+                    return Err(Refusal::Unsupported(Unsupported::SlipShared));
+                }
+                rolled.push(Rolled { tie: t, friction: held[t], rate });
+                self.kinetic[t] = rubbed;
+            }
+        }
+        Ok(())
+    }
+
     /// What slides and cannot be held where it comes to rest loses power to friction on its way back.
     fn gives_way(&mut self, closed: &[usize], held: &Reactions<T>) -> Result<(), Refusal> {
         let own: SmallVec<[(usize, Rubbing); 2]> =
@@ -343,8 +391,9 @@ impl<T: Real> Follower<'_, '_, T> {
             self.kinetic[*t] = Some(self.friction(rub).signed(-smooth.v[rub.body].sign()));
         }
         let rate = self.rate();
+        self.let_go += 1;
         let loses = |(_, rub): &(usize, Rubbing)| rate.v[rub.body].sign() * smooth.v[rub.body].sign() > 0.0;
-        if together && own.iter().all(loses) {
+        if together && self.let_go <= 4 * self.kinetic.len() && own.iter().all(loses) {
             Ok(())
         } else {
             Err(Refusal::Unsupported(Unsupported::SlidesInTurn))
@@ -453,13 +502,23 @@ impl<T: Real> Follower<'_, '_, T> {
             End::Travel(_, d) => Some(self.n.get(d) - self.gone),
             End::Position(_, x) => Some(self.n.get(x).signed(self.sense) - self.gone),
             End::Speed(_, u) => account.where_speed(self.n.get(u).abs()),
-            End::TurningPoint(_) => turning,
             _ => None,
         };
-        let time_to = |s: T| account.time(s, account.speed(s));
         let place = place.filter(|s| s.not_negative() && turning.is_none_or(|far| s.at_most(far)));
-        let time = place.map(time_to).filter(in_time);
-        self.turned = turning.is_some_and(|s| in_time(&time_to(s)));
+        // Where it turns it is at rest; brought to rest with the next contact, it is so whichever of them is taken to be the first.
+        let turns = || {
+            let time = account.time(turning?, T::zero());
+            match next.filter(|next| ball::unwatched(|| next.apart(time).is_zero())) {
+                Some(next) => Some(time.widened(|| (next - time).size() + next.radius())),
+                None => Some(time).filter(in_time),
+            }
+        };
+        let time = match self.scene.end {
+            End::TurningPoint(_) => turns(),
+            _ => place.map(|s| account.time(s, account.speed(s))).filter(in_time),
+        };
+        // What comes after its end is not asked.
+        self.turned = time.is_none() && turns().is_some();
         self.gone = self.gone + next.map_or_else(T::zero, |next| account.place(next));
         time
     }

@@ -33,13 +33,6 @@ impl<T: Real> Mode<T> {
         let sum = |a: &[T], b: &[T]| a.iter().zip(b).map(|(a, b)| a.settled(*b)).collect();
         Self { v: sum(&self.v, &other.v), w: sum(&self.w, &other.w) }
     }
-    /// Puts a coordinate to rest.
-    pub fn stop(&mut self, c: Coordinate) {
-        match c.degree {
-            Degree::Along => self.v[c.body] = T::zero(),
-            Degree::Turn => self.w[c.body] = T::zero(),
-        }
-    }
     /// Velocity of a coordinate.
     pub fn of(&self, c: Coordinate) -> T {
         match c.degree {

@@ -233,8 +233,12 @@ pub fn needs<T: Real>(
             None => {}
         }
     }
+    // What is at rest rubs no more: let go, it is smooth.
     let mut loose = setting.clone();
-    shared.iter().for_each(|(t, _)| loose.holds[*t] = false);
+    for (t, _) in &shared {
+        loose.holds[*t] = false;
+        loose.friction_sense[*t] = 0.0;
+    }
     // With these held alone, is the last of them held by the others?
     let held = |those: &[usize]| -> Result<bool, Refusal> {
         let mut setting = loose.clone();

@@ -692,7 +692,8 @@ impl<'a, T: Real> Walk<'a, T> {
         let reached = !wrong_way && s.is_some_and(|s| s.at_most(limit) && s.not_negative());
         let begins = if matches!(self.scene.end, End::Speed(..)) { travel.u0 } else { zero };
         let farthest = self.farthest(&travel, limit);
-        self.road.course = Some(Course { asked, begins, farthest, ..Course::moving(sense, reached) });
+        let way = self.way(sense);
+        self.road.course = Some(Course { way, asked, begins, farthest, ..Course::moving(sense, reached) });
 
         self.look(&travel, if reached { s } else { None }, turning, pulls0.clone());
         let path = self.stepped(&travel, if reached { s } else { None })?;
@@ -716,6 +717,16 @@ impl<'a, T: Real> Walk<'a, T> {
             _ => self.standing(&pulls0),
         }
         Ok((self.road, path.map_or_else(Count::default, |p| p.count)))
+    }
+
+    /// The centre of the body whose turn is counted, if it has a line.
+    fn centre(&self) -> Option<Coordinate> {
+        self.along(self.end.body).filter(|_| self.end.degree == Degree::Turn)
+    }
+
+    /// Sense in which the centre of the ending body moves, where the end is counted in this one.
+    fn way(&self, sense: f64) -> f64 {
+        self.centre().map_or(sense, |line| sense * self.ratio(line).sign())
     }
 
     /// Is it declared to go the other way?
@@ -788,11 +799,12 @@ impl<'a, T: Real> Walk<'a, T> {
             count = phases.stepped(rung)?;
         }
         let (reached, set_off, time) = (phases.ended && !wrong_way, phases.sense, phases.time());
-        let end = self.end;
-        let speed = if reached { phases.gone(&|of| of(end)).speed } else { self.v0 };
+        let goes = |c| if reached { phases.gone(&|of| of(c)).speed } else { phases.start_of(c) };
+        let speed = goes(self.end);
         let sense = if speed.is_zero() { set_off } else { speed.sign() };
+        let way = self.centre().map_or(sense, |line| goes(line).sign());
         self.phases = Some(phases);
-        self.road.course = Some(Course { asked, begins, farthest, ..Course::moving(sense, reached) });
+        self.road.course = Some(Course { way, asked, begins, farthest, ..Course::moving(sense, reached) });
         self.contacts_if_rolled(&[]);
         self.grip(&[Pulls::new()]);
         if reached {
@@ -908,7 +920,12 @@ impl<'a, T: Real> Walk<'a, T> {
         } else {
             1.0
         };
-        self.road.course = Some(Course { asked: Some(extent), slowest, ..Course::moving(sense, reached) });
+        self.road.course = Some(Course {
+            way: self.way(sense),
+            asked: Some(extent),
+            slowest,
+            ..Course::moving(sense, reached)
+        });
         self.grip(&[smallvec![zero], smallvec![whole]]);
         if !reached {
             self.standing(&[whole]);
@@ -1001,9 +1018,15 @@ impl<'a, T: Real> Walk<'a, T> {
         if !self.asked.held && !self.asks(&[FrictionIfRolled, MuRequired, SlipSpeed, ARolling]) {
             return;
         }
-        for (t, rolled) in std::mem::take(&mut self.rolled) {
-            let Tie::Slip { body, mu_s, radius_m, .. } = self.scene.ties[t] else { continue };
+        let mut known = std::mem::take(&mut self.rolled);
+        for (t, tie) in self.scene.ties.iter().enumerate() {
+            let Tie::Slip { body, mu_s, radius_m, .. } = *tie else { continue };
             let of = Owner::Body(body);
+            let Some(at) = known.iter().position(|(of, _)| *of == t) else {
+                self.thrown(t, None);
+                continue;
+            };
+            let (_, rolled) = known.swap_remove(at);
             let friction = under(pulls, |k| rolled.reaction(t, k));
             let normal = rolled.normal(body);
             let scale = self.friction_scale(&rolled, body, friction, pulls);
@@ -1023,7 +1046,7 @@ impl<'a, T: Real> Walk<'a, T> {
                     let scale = scale / self.n.bodies[body].mass.size();
                     self.say_scaled(ARolling, of, with.map_or(a, |with| a.balance(with)), scale);
                 }
-                self.thrown(t, friction, [needed, available]);
+                self.thrown(t, Some((friction, [needed, available])));
                 continue;
             }
             let slip = along - self.n.get(radius_m) * turn;
@@ -1041,8 +1064,10 @@ impl<'a, T: Real> Walk<'a, T> {
         legs.filter_map(|leg| leg.needs[tie]).reduce(T::larger)
     }
 
-    /// What becomes of the slip of a body that starts with one, `rolling` being the friction with which it would roll.
-    fn thrown(&mut self, tie: usize, rolling: T, [needed, available]: [T; 2]) {
+    /// What becomes of the slip of a body that starts with one; told if known, the friction with which it would roll, how much it needs
+    /// while it rolls and what there is.
+    fn thrown(&mut self, tie: usize, rolls: Option<(T, [T; 2])>) {
+        let (rolling, [needed, available]) = rolls.unwrap_or((T::zero(), [T::zero(); 2]));
         let (Some(phases), Some(rub)) = (&self.phases, self.scene.ties[tie].rubbing()) else { return };
         let (slip0, speeds) = phases.slip(tie);
         let until = phases.until[tie];
@@ -1059,6 +1084,7 @@ impl<'a, T: Real> Walk<'a, T> {
         let force = |f: T| self.n.publish(Quantity::Friction, f).f64();
         let throw = Throw {
             tie,
+            known: rolls.is_some(),
             slips: !slip0.is_zero(),
             closes: !slip0.is_zero() && until.is_some(),
             holds: needed.at_most(available),

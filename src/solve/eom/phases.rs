@@ -55,7 +55,10 @@ pub struct Phases<'a, T: Real> {
     pub legs: SmallVec<[Phase<T>; 2]>,
     /// Is its end reached?
     pub ended: bool,
-    /// For each contact that is said to slip: as it holds first, or would hold at the start.
+    /// How often what slides was let go where it came to rest.
+    let_go: usize,
+    /// For each contact that is said to slip: as it holds first, or would hold at the start if it never comes to rest. None of one that
+    /// cannot be followed from the end to there.
     pub rolled: Rolled<T>,
     /// For each tie: when its contact comes to rest first; 0 where it is at rest from the start.
     pub until: SmallVec<[Option<T>; 4]>,
@@ -97,6 +100,7 @@ impl<'a, T: Real> Phases<'a, T> {
             coordinates,
             legs: SmallVec::new(),
             ended: false,
+            let_go: 0,
             rolled: Rolled::new(),
             until: smallvec![None; ties],
             through: None,
@@ -136,29 +140,29 @@ impl<'a, T: Real> Phases<'a, T> {
                 (leg.lasts, leg.closes) = (time, None);
                 all.ended = true;
             }
-            let Some(time) = rest.filter(|_| scene.end != End::AtOnce) else { break };
+            let Some(time) = rest.filter(|_| scene.end != End::AtOnce) else {
+                all.if_held(n, &first)?;
+                break;
+            };
             starts = starts + time;
             for t in &closed {
                 setting.holds[*t] = true;
                 setting.friction_sense[*t] = 0.0;
             }
-            response = respond(scene, n, &setting)?;
-            needs = equations::needs(scene, n, (&setting, &response), pulls)?;
-            let held = all.holding(n, &closed, &response, &needs);
-            if !all.ended && all.ends_at_rest(&closed, held) {
-                all.ended = true;
-                all.after = Some((setting.clone(), response.clone()));
-            }
-            if !held {
-                if all.ended {
-                    break;
-                }
-                if closed.iter().any(|t| all.rims[*t].is_some()) {
+            // Beyond its end it is followed for what becomes of the contacts that still slip, as far as that is known.
+            match all.closing(n, &mut setting, &closed, pulls) {
+                Ok(Some(next)) => (response, needs) = next,
+                Err(refusal) if !all.ended => return Err(refusal),
+                Ok(None) if !all.ended => {
                     all.through = Some(starts);
+                    all.if_held(n, &first)?;
                     break;
                 }
-                response = all.gives_way(n, (&mut setting, &response), &closed)?;
-                needs = equations::needs(scene, n, (&setting, &response), pulls)?;
+                _ => {
+                    let slips = |t: &usize| all.rolled.iter().all(|(known, _)| known != t);
+                    (0..ties).filter(slips).for_each(|t| all.until[t] = None);
+                    break;
+                }
             }
         }
         if let Some(leg) = all.legs.last() {
@@ -170,8 +174,33 @@ impl<'a, T: Real> Phases<'a, T> {
             // At rest by the definition of the event, not by what rounding leaves.
             all.ends[i] = T::zero();
         }
-        all.if_held(n, &first)?;
         Ok(all)
+    }
+
+    /// What becomes of contacts that come to rest: they hold, or what slides goes on the other way. `None` if one of them is said to slip
+    /// and cannot be held.
+    fn closing(
+        &mut self,
+        n: &Numbers<T>,
+        setting: &mut Setting,
+        closed: &[usize],
+        pulls: &[T],
+    ) -> Result<Option<(Response<T>, Needs<T>)>, Refusal> {
+        let mut response = respond(self.scene, n, setting)?;
+        let mut needs = equations::needs(self.scene, n, (setting, &response), pulls)?;
+        let held = self.holding(n, closed, &response, &needs);
+        if !self.ended && self.ends_at_rest(closed, held) {
+            self.ended = true;
+            self.after = Some((setting.clone(), response.clone()));
+        }
+        if !held {
+            if closed.iter().any(|t| self.rims[*t].is_some()) {
+                return Ok(None);
+            }
+            response = self.gives_way(n, (setting, &response), closed)?;
+            needs = equations::needs(self.scene, n, (setting, &response), pulls)?;
+        }
+        Ok(Some((response, needs)))
     }
 
     /// What never comes to rest: as if it held at the start.
@@ -264,17 +293,18 @@ impl<'a, T: Real> Phases<'a, T> {
 
     /// What slides and cannot be held where it comes to rest goes on the other way: alone, or together with what shares its friction.
     fn gives_way(
-        &self,
+        &mut self,
         n: &Numbers<T>,
         (setting, held): (&mut Setting, &Response<T>),
         closed: &[usize],
     ) -> Result<Response<T>, Refusal> {
         let refused = Refusal::Unsupported(Unsupported::SlidesInTurn);
         if !(closed.len() == 1 || closed.iter().all(|t| held.is_open(*t)))
-            || self.legs.len() > 4 * self.rims.len()
+            || self.let_go > 4 * self.rims.len()
         {
             return Err(refused);
         }
+        self.let_go += 1;
         let goes = |response: &Response<T>, t: usize| {
             let own =
                 self.scene.ties[t].rubbing().map(|rub| Coordinate { body: rub.body, degree: Degree::Along });
