@@ -28,11 +28,11 @@ impl SceneReader<'_> {
     pub(super) fn winds_on(&self, radius: Num) {
         let mut uses = self.uses.borrow_mut();
         match radius {
-            Num::Datum(datum) => uses.push(DatumUse { datum, need: Need::RADIUS }),
+            Num::Datum(datum) => uses.push(DatumUse { datum, need: *Need::RADIUS }),
             Num::Derived(at) => {
                 let derived = self.derived.borrow();
                 let given = derived.get(at).into_iter().flat_map(|n| n.formula.names());
-                uses.extend(given.map(|g| DatumUse { datum: g.datum, need: Need::TERM }));
+                uses.extend(given.map(|g| DatumUse { datum: g.datum, need: *Need::TERM }));
             }
             Num::Fixed(_) => {}
         }
@@ -178,7 +178,7 @@ impl SceneReader<'_> {
         }
         let mut growth = Growth { of, law, rate: Num::Fixed(0.0), unit: Num::Fixed(1.0) };
         let need = Need::growth(growth.rate_unit(), matches!(of, GivenForce::Couple(_)));
-        if let Some(number) = rate.and_then(|n| self.number(&n, need)) {
+        if let Some(number) = rate.and_then(|n| self.number(&n, &need)) {
             growth.rate = number;
             self.growths.borrow_mut().push(growth);
         }
