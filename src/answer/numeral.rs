@@ -1,6 +1,6 @@
 //! The number at the start of a text: a decimal with its marks and power of ten, or an exact value such as `3/4` or `2*sqrt(3)`.
 use crate::answer::read::WhyUnreadable;
-use crate::num::decimal::{nearest, one_of};
+use crate::num::decimal::{leading_whole, nearest, one_of};
 
 /// A number without its sign, and what follows.
 #[derive(Debug, Clone, PartialEq)]
@@ -299,16 +299,11 @@ fn decimal(text: &str) -> Result<Numeral<'_>, WhyUnreadable> {
     // powers of ten
     let mut exponent = String::new();
     if let Some(tail) = rest.strip_prefix(one_of("eE")) {
-        let sign = tail.starts_with('-');
-        let number = tail.strip_prefix(one_of("-+")).unwrap_or(tail);
-        let length = number.bytes().take_while(u8::is_ascii_digit).count();
-        if length > 0 {
-            exponent = format!("{}{}", if sign { "-" } else { "" }, &number[..length]);
-            rest = &number[length..];
+        if let Some((power, tail)) = leading_whole(tail) {
+            (exponent, rest) = (power, tail);
         }
     } else if let Some((power, tail)) = times_ten(rest)? {
-        exponent = power;
-        rest = tail;
+        (exponent, rest) = (power, tail);
     }
     let parse = |digits: String| -> Result<f64, WhyUnreadable> {
         let text = if exponent.is_empty() { digits } else { format!("{digits}e{exponent}") };
@@ -361,15 +356,9 @@ fn times_ten(text: &str) -> Result<Option<(String, &str)>, WhyUnreadable> {
         Some('{') => (Some('}'), &tail[1..]),
         _ => (None, tail),
     };
-    let sign = tail.starts_with('-');
-    let number = tail.strip_prefix(one_of("-+")).unwrap_or(tail);
-    let length = number.bytes().take_while(u8::is_ascii_digit).count();
-    if length == 0 {
-        return Err(WhyUnreadable::Formula);
-    }
-    let mut rest = &number[length..];
+    let (power, mut rest) = leading_whole(tail).ok_or(WhyUnreadable::Formula)?;
     if let Some(closing) = closing {
         rest = rest.strip_prefix(closing).ok_or(WhyUnreadable::Formula)?;
     }
-    Ok(Some((format!("{}{}", if sign { "-" } else { "" }, &number[..length]), rest)))
+    Ok(Some((power, rest)))
 }

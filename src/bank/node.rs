@@ -332,3 +332,16 @@ pub fn named<'n>(node: &'n Node, what: &str, faults: &Faults) -> Vec<(&'n str, &
     }
     list
 }
+
+/// [`named`] of a map that holds something; `none` is told of one that does not.
+pub fn some_named<'n>(
+    node: &'n Node,
+    what: &str,
+    none: &str,
+    faults: &Faults,
+) -> Vec<(&'n str, &'n Node, &'n Node)> {
+    if matches!(&node.value, Value::Map(entries) if entries.is_empty()) {
+        faults.at(node, none);
+    }
+    named(node, what, faults)
+}

@@ -9,6 +9,20 @@ pub fn one_of(these: &'static str) -> impl Fn(char) -> bool + Copy {
     move |c| these.contains(c)
 }
 
+/// The whole number at the start of a text, with its minus, and what follows.
+pub fn leading_whole(text: &str) -> Option<(String, &str)> {
+    let number = text.strip_prefix(one_of("-+\u{2212}")).unwrap_or(text);
+    let length = number.bytes().take_while(u8::is_ascii_digit).count();
+    let sign = if text.starts_with(one_of("-\u{2212}")) { "-" } else { "" };
+    (length > 0).then(|| (format!("{sign}{}", &number[..length]), &number[length..]))
+}
+
+/// A whole number as a power of ten: of one beyond all doubles it does not matter by how much.
+pub fn power_of_ten(whole: &str) -> i32 {
+    let most = if whole.starts_with('-') { -100_000 } else { 100_000 };
+    whole.parse().unwrap_or(most).clamp(-100_000, 100_000)
+}
+
 /// The double nearest to a decimal number such as `-1.5e-7`, ties to even; `None` of anything else. That of the standard library
 /// has a table of ten kilobytes, too much for a page.
 pub fn nearest(text: &str) -> Option<f64> {
@@ -20,12 +34,10 @@ fn by_digits(text: &str) -> Option<f64> {
     let unsigned = text.strip_prefix(one_of("-+")).unwrap_or(text);
     let (number, power) = match unsigned.split_once(one_of("eE")) {
         None => (unsigned, 0),
-        Some((number, power)) => {
-            let size = power.strip_prefix(one_of("-+")).unwrap_or(power);
-            let digits = !size.is_empty() && size.bytes().all(|b| b.is_ascii_digit());
-            let size = digits.then(|| size.parse().map_or(i32::MAX / 2, |n: i32| n.min(i32::MAX / 2)))?;
-            (number, if power.starts_with('-') { -size } else { size })
-        }
+        Some((number, power)) => match leading_whole(power)? {
+            (power, "") => (number, power_of_ten(&power)),
+            _ => return None,
+        },
     };
     let (whole, part) = number.split_once('.').unwrap_or((number, ""));
     let written = [whole, part].concat();
@@ -123,47 +135,25 @@ mod tests {
 
     #[test]
     fn edges_are_those_of_the_standard_library() {
-        for text in [
-            "",
-            ".",
-            "1.",
-            ".5",
-            "-0",
-            "+1e3",
-            "1e",
-            "1e+",
-            "1e-+3",
-            "1.2.3",
-            " 1",
-            "0x1",
-            "1e99999999999999999999",
-            "1e-99999999999999999999",
-            "0e99999999999",
-            "9007199254740993",
-            "9007199254740992.99999",
-            "9007199254740995",
-            "5e-324",
-            "2.4703282292062327e-324",
-            "2.4703282292062328e-324",
-            "2.2250738585072011e-308",
-            "2.2250738585072014e-308",
-            "1.7976931348623157e308",
-            "1.7976931348623158e308",
-            "1.7976931348623159e308",
-            "1.8e308",
-            "1e309",
-            "0.000000000000000000000000000000000000000000000000001e60",
-            "100000000000000000000000000000000000000000000000000000000e-40",
-            "8.5e-325",
-        ] {
+        let texts = "|.|1.|.5|-0|+1e3|1e|1e+|1e-+3|1.2.3| 1|0x1|1e99999999999999999999|\
+            1e-99999999999999999999|0e99999999999|9007199254740993|9007199254740992.99999|\
+            9007199254740995|5e-324|2.4703282292062327e-324|2.4703282292062328e-324|\
+            2.2250738585072011e-308|2.2250738585072014e-308|1.7976931348623157e308|\
+            1.7976931348623158e308|1.7976931348623159e308|1.8e308|1e309|\
+            0.000000000000000000000000000000000000000000000000001e60|\
+            100000000000000000000000000000000000000000000000000000000e-40|8.5e-325";
+        for text in texts.split('|') {
             as_in_std(text);
         }
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(3000) })]
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(1000) })]
         #[test]
-        fn every_number_is_that_of_the_standard_library(digits in any::<u64>(), places in 0i32..25, size in any::<u64>(), exponent in -345i32..330) {
+        fn every_number_is_that_of_the_standard_library(
+            (digits, places) in (any::<u64>(), 0i32..25),
+            (size, exponent) in (any::<u64>(), -345i32..330),
+        ) {
             let value = f64::from_bits(size);
             as_in_std(&format!("{digits}e-{places}"));
             as_in_std(&format!("{digits}e{exponent}"));

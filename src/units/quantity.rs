@@ -1,5 +1,5 @@
 //! A number with its unit, read strictly: for banks and the command line. Students' cells are read in `answer`.
-use crate::num::decimal::{nearest, one_of};
+use crate::num::decimal::{leading_whole, nearest, one_of, power_of_ten};
 use crate::units::{Unit, UnitFault};
 use std::fmt;
 
@@ -72,17 +72,12 @@ fn leading_decimal(text: &str) -> Option<LeadingDecimal> {
     if !seen {
         return None;
     }
-    let mut exponent = 0i32;
-    if matches!(bytes.get(at), Some(b'e' | b'E')) {
-        let tail = &body[at + 1..];
-        let sign = tail.starts_with(one_of("-\u{2212}"));
-        let number = tail.strip_prefix(one_of("-+\u{2212}")).unwrap_or(tail);
-        let length = number.bytes().take_while(u8::is_ascii_digit).count();
-        if length > 0 {
-            let size: i32 = number[..length].parse().unwrap_or(100_000).min(100_000);
-            exponent = if sign { -size } else { size };
-            at += 1 + (tail.len() - number.len()) + length;
-        }
+    let mut exponent = 0;
+    if matches!(bytes.get(at), Some(b'e' | b'E'))
+        && let Some((power, behind)) = leading_whole(&body[at + 1..])
+    {
+        exponent = power_of_ten(&power);
+        at = body.len() - behind.len();
     }
     let length = text.len() - body.len() + at;
     Some(LeadingDecimal { negative, digits, exponent: exponent - i32::try_from(decimals).ok()?, length })

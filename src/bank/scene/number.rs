@@ -49,7 +49,7 @@ impl SceneReader<'_> {
                 let hint = told!("{} has a unit such as {}", need.words, need.unit);
                 return f.refuse_with(node, message, hint);
             }
-            self.uses.borrow_mut().push(DatumUse { datum, need: *need });
+            self.met.borrow_mut().uses.push(DatumUse { datum, need: *need });
             return Some(Num::Datum(datum));
         }
         if is_expression(text) {
@@ -103,7 +103,7 @@ impl SceneReader<'_> {
         let mut derived = self.derived.borrow_mut();
         derived.push(Derived { formula, degrees: false, text: text.to_owned(), any: true });
         let number = Num::Derived(derived.len() - 1);
-        self.any.borrow_mut().push(AnyNumber { node: node.clone(), number });
+        self.met.borrow_mut().any.push(AnyNumber { node: node.clone(), number });
         Some(number)
     }
 
@@ -142,9 +142,8 @@ impl SceneReader<'_> {
             let hint = told!("{} has the dimension {}", need.words, measure::powers_text(wanted));
             return f.refuse_with(node, message, hint);
         }
-        let mut uses = self.uses.borrow_mut();
         let symbols = data.iter().filter(|i| own(**i).is_some());
-        uses.extend(symbols.map(|datum| DatumUse { datum: *datum, need: *Need::TERM }));
+        self.met.borrow_mut().uses.extend(symbols.map(|datum| DatumUse { datum: *datum, need: *Need::TERM }));
         let powers = |i: usize| {
             let given = || own(i)?.unit.as_ref().map(measure::powers);
             let powers = if i == self.gravity { Some(measure::own_powers("m/s^2")) } else { given() };
