@@ -435,7 +435,7 @@ impl SceneReader<'_> {
     }
 
     /// Natural length of a spring, or its stretch at the start: in the plane that may be negative.
-    pub(super) fn natural(&self, node: &Node, fields: &mut Fields, stretch: Need) -> Option<Rest> {
+    pub(super) fn natural(&self, node: &Node, fields: &mut Fields, stretch: &Need) -> Option<Rest> {
         match (fields.get("natural length"), fields.get("stretch")) {
             (Some(n), None) => self.number(n, Need::LENGTH).map(Rest::Length),
             (None, Some(n)) => self.number(n, stretch).map(Rest::Stretch),
