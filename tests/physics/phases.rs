@@ -583,4 +583,21 @@ end: {end}"
         let slid = 4.0 * at - 0.45 * G * at * at;
         compare(&names[..4], &found[..4], &[3.0 - 0.3 * G * at, 3.0 * G * at - 5.0, slid, slid]);
     }
+
+/// A ball that is pulled off its lane is told by the check of what presses it there, as anywhere.
+#[test]
+fn what_is_lifted_off_is_told_by_its_check() {
+    let (_, found) = solved(
+        "surfaces: {lane: level}
+bodies:
+  ball: {mass: m, shape: {sphere: 0.1 m}, radii: {rim: 0.1 m}, moves: along lane}
+ties:
+  - slips: {body: ball, on its: rim, mu_s: 0.9, mu_k: 0.2}
+  - cord: {from: {body: ball, wound on: rim, leaves: bottom forward, at an angle: 60 deg}, pulled with: 30 N}
+start: {ball: {speed: 5 m/s, spin: 0 rad/s}}
+end: {time: {of: ball, is: 1 s}}",
+    );
+    let pressed = found.checks.iter().find(|c| c.kind.name() == "pressed").expect("it lies on a surface");
+    let normal = 2.0 * G - 30.0 * 0.75_f64.sqrt();
+    assert!(!pressed.ok && (pressed.available - normal).abs() < 1e-12, "{pressed:?}");
 }
