@@ -493,7 +493,8 @@ fn misplaced(scene: &Scene, refusal: &Refusal) -> String {
         Refusal::Unplaced(index) => format!(
             "the joints do not place `{}` on the way: a body is placed that leads, is welded, or is pinned or hinged to what has a \
              place and either guided at another point, by a cord or a light rod too, or hinged there to a second such body; a wheel \
-             that an arm carries about the axis of a cylinder `meshes` with it",
+             that an arm carries about the axis of a cylinder `meshes` with it; what hangs on a cord that comes from another body over a \
+             pulley is guided, and `placed:` at the start",
             name(*index)
         ),
         Refusal::IdleSide { body, with } => {
