@@ -373,6 +373,18 @@ fn crossing<T: Real, X: Followed<T>>([(p, a), (q, b)]: [([X; 2], X); 2]) -> [X; 
     [a * q[1] - b * p[1], b * p[0] - a * q[0]].map(|x| x * per_area)
 }
 
+/// A point on a line, on one side of where its cord comes from: how far along and beside the axis, the foot of that place on the line, how
+/// far it is off the line, the direction to the point; the joint, and the other end of the cord with the place to which it leads.
+#[derive(Debug, Clone, Copy)]
+struct Hung<T> {
+    at: [T; 2],
+    foot: [T; 2],
+    off: T,
+    unit: [T; 2],
+    joint: usize,
+    other: (Spot, [Num; 2]),
+}
+
 /// How a body is placed.
 #[derive(Debug, Clone, Copy)]
 enum Step<T> {
@@ -392,6 +404,8 @@ enum Step<T> {
     Welded(Held<T>, usize, [T; 2]),
     /// Its axis has this direction.
     Still(Held<T>, [T; 2]),
+    /// It does not turn: its axis has this direction, and what is left of a cord from another body places it on its guide.
+    Hangs([T; 2], Hung<T>),
     /// It rolls on a line, and its axis has this direction at the start.
     Rolls(Held<T>, Track<T>, [T; 2]),
     /// A point of it lies where two lines meet; it rolls on a line if any, and its axis has this direction at the start.
@@ -585,9 +599,9 @@ impl<'a, T: Real> Layout<'a, T> {
                     JointKind::Contact { at, surface: Surface::Line(line), .. } => {
                         layout.beside(j, (at, line), &first)[0]
                     }
-                    JointKind::Cord { at, place_m, .. } => {
-                        let apart = less(layout.spot(at, &first), ground(n, place_m));
-                        dot(apart, apart).root()
+                    JointKind::Cord { at, place_m, beyond, .. } => {
+                        let length = |(at, place_m)| layout.from_place(&first, at, place_m);
+                        beyond.map_or_else(T::zero, length) + length((at, place_m))
                     }
                     _ => T::zero(),
                 };
@@ -614,7 +628,7 @@ impl<'a, T: Real> Layout<'a, T> {
             JointKind::Guide { at, line: Straight { on: None, .. }, .. } if at.body == self.lead => {
                 Some((self.lines[j], T::zero()))
             }
-            JointKind::Cord { at, place_m, .. } if at.body == self.lead => {
+            JointKind::Cord { at, place_m, beyond: None, .. } if at.body == self.lead => {
                 let near = self.first.as_ref()?[at.body].point(of_spot(self.scene, self.n, at));
                 let per = T::of(1.0) / self.starts[j];
                 Some((left(less(near, ground(self.n, place_m))).map(|x| x * per), per))
@@ -795,10 +809,12 @@ impl<'a, T: Real> Layout<'a, T> {
             JointKind::Contact { at, radius_m, surface: Surface::Line(line), .. } => {
                 (aside(j, at, line) - self.n.get(radius_m)).size()
             }
-            JointKind::Contact { at, surface: Surface::Arc { centre_m: middle, .. }, .. }
-            | JointKind::Cord { at, place_m: middle, .. } => {
-                let [x, y] = less(place(at), ground(self.n, middle));
-                ((x.square() + y.square()).root() - self.apart(j).unwrap_or_else(T::zero)).size()
+            JointKind::Contact { at, surface: Surface::Arc { centre_m: middle, .. }, .. } => {
+                (self.from_place(poses, at, middle) - self.apart(j).unwrap_or_else(T::zero)).size()
+            }
+            JointKind::Cord { at, place_m, beyond, .. } => {
+                let length = |(at, place_m)| self.from_place(poses, at, place_m);
+                (length((at, place_m)) + beyond.map_or_else(T::zero, length) - self.starts[j]).size()
             }
         });
         let moved = |joint: &Joint| {
@@ -812,7 +828,7 @@ impl<'a, T: Real> Layout<'a, T> {
         all.enumerate().find(|(_, off)| off.is_nan() || *off > MET * size)
     }
     /// Where a point of a body is.
-    fn spot(&self, spot: Spot, poses: &Poses<T>) -> [T; 2] {
+    fn spot<X: Followed<T>>(&self, spot: Spot, poses: &Poses<X>) -> [X; 2] {
         poses[spot.body].point(of_spot(self.scene, self.n, spot))
     }
     /// How far a point is along the line of a joint and to its left.
@@ -821,10 +837,15 @@ impl<'a, T: Real> Layout<'a, T> {
         let (from, unit) = (less(self.spot(at, poses), through), self.line(joint, poses));
         [dot(unit, from), dot(left(unit), from)]
     }
+    /// How far a point is from a fixed place.
+    fn from_place<X: Followed<T>>(&self, poses: &Poses<X>, at: Spot, place_m: [Num; 2]) -> X {
+        let apart = less(self.spot(at, poses), fixed(ground(self.n, place_m)));
+        dot(apart, apart).square_root()
+    }
     /// How far the centre of a body is from the axis of the cylinder that it touches, or a point from where its cord is tied.
     fn apart(&self, joint: usize) -> Option<T> {
         match self.scene.joints[joint].kind {
-            JointKind::Cord { .. } => Some(self.starts[joint]),
+            JointKind::Cord { beyond: None, .. } => Some(self.starts[joint]),
             JointKind::Contact { radius_m, surface: Surface::Arc { radius_m: arc, inside, .. }, .. } => {
                 let (own, arc) = (self.n.get(radius_m), self.n.get(arc));
                 Some(if inside { (own - arc).abs() } else { arc + own })
@@ -1053,6 +1074,16 @@ impl<'a, T: Real> Layout<'a, T> {
                 Pose::through(axis, held.at, place(held, poses))
             }
             Step::Still(held, axis) => Pose::through(fixed(*axis), held.at, place(held, poses)),
+            Step::Hangs(axis, hung) => {
+                let (spot, over_m) = hung.other;
+                let left = X::still(self.starts[hung.joint]) - self.from_place(poses, spot, over_m);
+                let ahead = match hung.off.is_nothing() {
+                    true => left,
+                    false => open(left * left, X::still(hung.off.square())).square_root(),
+                };
+                let place = plus(fixed(hung.foot), along_unit(hung.unit, ahead));
+                Pose::through(fixed(*axis), hung.at, place)
+            }
             Step::Rolls(held, track, axis) => {
                 let place = place(held, poses);
                 Pose::through(rolls(place, track, *axis, poses), held.at, place)
