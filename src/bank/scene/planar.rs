@@ -319,7 +319,7 @@ impl SceneReader<'_> {
         let mut reversed = false;
         if let (Some(pushes), Some(node)) = (pushes, pushes_node) {
             // The normal force is positive to the left of the direction.
-            match (line.fixed_deg(bodies), line.direction_deg, pushes) {
+            match (line.fixed_deg(bodies, false), line.direction_deg, pushes) {
                 (Some(in_space), own, pushes) => {
                     let (sine, cosine) = crate::num::trig::sin_cos_degrees(in_space);
                     let [x, y] = pushes.components();
