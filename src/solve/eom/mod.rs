@@ -367,8 +367,8 @@ struct Walk<'a, T: Real> {
     response: Response<T>,
     /// Column whose accelerations have the ratios of the velocities.
     ratio_column: usize,
-    /// The motion, where it goes in phases.
-    phases: Option<Phases<'a, T>>,
+    /// The motion, where it goes in phases: apart, for it is large and mostly there is none.
+    phases: Option<Box<Phases<'a, T>>>,
     /// Speed of the ending coordinate at the start.
     v0: T,
     /// Does it start with a speed, of whichever coordinate?
@@ -459,7 +459,7 @@ impl<'a, T: Real> Walk<'a, T> {
         walk.rolled = std::mem::take(&mut phases.rolled);
         walk.holding = phases.after.take().filter(|_| scene.formulas.stays);
         walk.v0 = phases.start_of(walk.end);
-        (walk.started, walk.phases) = (true, Some(phases));
+        (walk.started, walk.phases) = (true, Some(Box::new(phases)));
         Ok(walk)
     }
 
