@@ -915,6 +915,26 @@ impl Told {
             Self::Lane(road, lane) => road.said_at(at, label).map(|said| said.value.lane(*lane)),
         }
     }
+    /// The values of a label on several roads, probably said at this place: it is looked for once in those that share their lanes.
+    pub fn values<'r>(
+        roads: impl Iterator<Item = Option<&'r Self>>,
+        at: usize,
+        label: Label,
+    ) -> impl Iterator<Item = Option<f64>> {
+        #[cfg(feature = "program")]
+        let mut last = None;
+        roads.map(move |told| match told? {
+            alone @ Self::Alone(_) => alone.value(at, label),
+            #[cfg(feature = "program")]
+            Self::Lane(road, lane) => {
+                let said = match last {
+                    Some((known, said)) if std::ptr::eq(known, &**road) => said,
+                    _ => last.insert((&**road, road.said_at(at, label))).1,
+                };
+                said.map(|said| said.value.lane(*lane))
+            }
+        })
+    }
     /// Which kind of motion it is.
     pub fn kind(&self) -> Kind {
         match self {
