@@ -51,9 +51,8 @@ pub struct Rule {
 static SHORT: LazyLock<Rule> = LazyLock::new(|| Rule::new(NODES));
 
 /// A longer panel for numbers of 32 digits that are smooth on a long way and cost much to look at. Where coefficients fall
-/// geometrically to a share of 10^-D, a long way takes fewest nodes in panels of D ln 10 of them, and few more in shorter ones, of
-/// which one may do for a short way.
-static LONG: LazyLock<Rule> = LazyLock::new(|| Rule::new(36));
+/// geometrically to a share of 10^-D, a long way takes fewest nodes in panels of D ln 10 of them.
+static LONG: LazyLock<Rule> = LazyLock::new(|| Rule::new(40));
 /// A panel of which only the end counts, in doubles: there even a rate is exact up to twice its degree. The time is not, and what is
 /// published of it has to be.
 static ENDING: LazyLock<Rule> = LazyLock::new(|| Rule::new(18));
@@ -193,6 +192,17 @@ pub fn integral<T: Real, E: From<Unsettled>>(
     b: T,
 ) -> Result<T, E> {
     SHORT.integral(&mut f, (a, b), 0.0)
+}
+
+/// The same with the panels of [`long`].
+///
+/// Errors: those of [`integral`].
+pub fn long_integral<T: Real, E: From<Unsettled>>(
+    mut f: impl FnMut(T) -> Result<T, E>,
+    a: T,
+    b: T,
+) -> Result<T, E> {
+    long::<T>().0.integral(&mut f, (a, b), 0.0)
 }
 
 /// The same of a function that is a sum of terms of this magnitude: about a zero of it their rounding is no roughness.

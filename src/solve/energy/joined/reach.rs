@@ -139,10 +139,10 @@ impl<T: Real> Account<'_, T> {
         let (mut time, mut angle) = (T::zero(), T::zero());
         for met in self.meets.iter().filter(|x| x.below(way)).map(|x| *x / way) {
             let next = trig::angle(met.root(), (T::of(1.0) - met).root()).scale2(1);
-            time = time + gauss::integral(slowness, angle, next)?;
+            time = time + gauss::long_integral(slowness, angle, next)?;
             angle = next;
         }
-        let time = time + gauss::integral(slowness, angle, T::constant(Dd::PI))?;
+        let time = time + gauss::long_integral(slowness, angle, T::constant(Dd::PI))?;
         Ok(plant!("energy: time of joined bodies", time))
     }
 
