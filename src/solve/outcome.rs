@@ -909,13 +909,9 @@ pub enum Told {
 impl Told {
     /// The value of a label, probably said at this place.
     pub fn value(&self, at: usize, label: Label) -> Option<f64> {
-        match self {
-            Self::Alone(road) => road.said_at(at, label).map(|said| said.value),
-            #[cfg(feature = "program")]
-            Self::Lane(road, lane) => road.said_at(at, label).map(|said| said.value.lane(*lane)),
-        }
+        Self::values(std::iter::once(Some(self)), at, label).next()?
     }
-    /// The values of a label on several roads, probably said at this place: it is looked for once in those that share their lanes.
+    /// The same on several roads: it is looked for once in those that share their lanes.
     pub fn values<'r>(
         roads: impl Iterator<Item = Option<&'r Self>>,
         at: usize,
@@ -924,7 +920,7 @@ impl Told {
         #[cfg(feature = "program")]
         let mut last = None;
         roads.map(move |told| match told? {
-            alone @ Self::Alone(_) => alone.value(at, label),
+            Self::Alone(road) => road.said_at(at, label).map(|said| said.value),
             #[cfg(feature = "program")]
             Self::Lane(road, lane) => {
                 let said = match last {
