@@ -8,7 +8,7 @@ use std::cell::{Cell, RefCell};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// How many sets of data are walked at once.
-pub const LANES: usize = 16;
+pub const LANES: usize = 12;
 
 thread_local! {
     static DATA: RefCell<Vec<Lanes>> = const { RefCell::new(Vec::new()) };
