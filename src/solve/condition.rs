@@ -160,8 +160,8 @@ fn search<T: Real, R: Says<T>>(
             for (at, (cond, entry)) in
                 conds.iter_mut().zip(entries).enumerate().filter(|(_, (c, _))| c.is_none())
             {
-                let [at_data, above, below] = [std::slice::from_ref(base), &up, &down]
-                    .map(|roads| R::values(roads, at, entry.label));
+                let [at_data, above, below] =
+                    [std::slice::from_ref(base), &up, &down].map(|roads| R::values(roads, at, entry.label));
                 let at_data = at_data[0];
                 let below = |i| down.get(i).zip(below.get(i).copied());
                 let each = up.iter().zip(above).enumerate();
