@@ -2,9 +2,6 @@
 use crate::num::Real;
 use smallvec::{SmallVec, smallvec};
 
-/// Steps converge that get shorter by this factor, and the slope changes on no less than this part of the bracket.
-const FALLS: f64 = 1.0 / 64.0;
-
 /// Steps after which the bracket has been halved beyond any double-double.
 const STEPS: u32 = 400;
 
@@ -118,8 +115,7 @@ pub fn between<T: Real, E>(
 ) -> Result<T, E> {
     let (mut low, mut high) = (low, high);
     let mut x = (low + high).scale2(-1);
-    let width = (high - low).size();
-    let mut last = width;
+    let mut last = (high - low).size();
     for _ in 0..STEPS {
         let (value, slope) = f(x)?;
         let (zero, above) = T::leading(|| (value.is_zero(), value.sign() > 0.0));
@@ -135,15 +131,10 @@ pub fn between<T: Real, E>(
         let step = (newton - x).size();
         let inside = T::leading(|| low.below(newton) && newton.below(high));
         // Newton may not be slower than halving.
-        let newton_goes = inside && step + step <= last;
-        let next = if newton_goes { newton } else { (low + high).scale2(-1) };
-        let before = std::mem::replace(&mut last, (next - x).size());
+        let next = if inside && step + step <= last { newton } else { (low + high).scale2(-1) };
+        last = (next - x).size();
         x = next;
-        // A secant that converges leaves the product of its last two steps, over a way on which the slope changes. In doubles what is
-        // left is rounding, which one more step takes off.
-        let converges = newton_goes && last <= FALLS * before && !T::is_double();
-        let left = if converges { last.min(last * before / (FALLS * width)) } else { last };
-        if left <= T::SETTLED * x.size() {
+        if last <= T::SETTLED * x.size() {
             break;
         }
     }
