@@ -12,7 +12,6 @@ use crate::num::{NOISE, Real};
 use crate::scene::{Label, Scales, Scene, admissible, scales};
 use crate::solve::eom;
 use crate::solve::outcome::{Entry, Kind, Road, Scope, Set, Told};
-use smallvec::SmallVec;
 
 /// Relative changes of a datum, as powers of 2; the next one for the answers that are too sensitive for the one before.
 const STEPS: [i32; 4] = [-26, -29, -36, -46];
@@ -38,21 +37,18 @@ struct Changed<R> {
 }
 
 /// A road that was solved with changed data.
-trait Says<T>: Sized {
+trait Says<T> {
     fn kind(&self) -> Kind;
-    /// The values of a label on several roads, probably said at this place.
-    fn values(roads: &[Changed<Self>], at: usize, label: Label) -> Values<T>;
+    /// The value of a label, probably said at this place.
+    fn value(&self, at: usize, label: Label) -> Option<T>;
 }
-
-/// One value for each road that says it.
-type Values<T> = SmallVec<[Option<T>; 12]>;
 
 impl Says<f64> for Told {
     fn kind(&self) -> Kind {
         Told::kind(self)
     }
-    fn values(roads: &[Changed<Self>], at: usize, label: Label) -> Values<f64> {
-        Told::values(roads.iter().map(|changed| changed.road.as_ref()), at, label).collect()
+    fn value(&self, at: usize, label: Label) -> Option<f64> {
+        Told::value(self, at, label)
     }
 }
 
@@ -60,8 +56,8 @@ impl<T: Real> Says<T> for Road<T> {
     fn kind(&self) -> Kind {
         Road::kind(self)
     }
-    fn values(roads: &[Changed<Self>], at: usize, label: Label) -> Values<T> {
-        roads.iter().map(|changed| Some(changed.road.as_ref()?.said_at(at, label)?.value)).collect()
+    fn value(&self, at: usize, label: Label) -> Option<T> {
+        self.said_at(at, label).map(|said| said.value)
     }
 }
 
@@ -160,13 +156,10 @@ fn search<T: Real, R: Says<T>>(
             for (at, (cond, entry)) in
                 conds.iter_mut().zip(entries).enumerate().filter(|(_, (c, _))| c.is_none())
             {
-                let [at_data, above, below] =
-                    [std::slice::from_ref(base), &up, &down].map(|roads| R::values(roads, at, entry.label));
-                let at_data = at_data[0];
-                let below = |i| down.get(i).zip(below.get(i).copied());
-                let each = up.iter().zip(above).enumerate();
+                let value = |changed: &Changed<R>| changed.road.as_ref()?.value(at, entry.label);
+                let at_data = value(base);
                 slopes.clear();
-                slopes.extend(each.map(|(i, up)| slope(entry, at_data, up, below(i))));
+                slopes.extend((0..used.len()).map(|i| slope(entry, at_data, (&up[i], down.get(i)), value)));
                 let uneven = slopes.iter().any(|s| s.uneven);
                 let mut sum: f64 = slopes.iter().map(|s| s.per.abs()).sum();
                 if !followers.is_empty() {
@@ -268,8 +261,8 @@ struct EntrySlope {
 fn slope<T: Real, R>(
     entry: &Entry,
     base: Option<T>,
-    (up, above): (&Changed<R>, Option<T>),
-    down: Option<(&Changed<R>, Option<T>)>,
+    (up, down): (&Changed<R>, Option<&Changed<R>>),
+    value: impl Fn(&Changed<R>) -> Option<T>,
 ) -> EntrySlope {
     let y = entry.value();
     let larger = |one: f64, other: f64| if one.abs() < other.abs() { other } else { one };
@@ -278,13 +271,13 @@ fn slope<T: Real, R>(
         let rounded = y == 0.0 && change.abs() <= 2.0 * T::NOISE * entry.scale;
         if rounded { 0.0 } else { change / by }
     };
-    let Some((down, below)) = down else {
-        let per = above.map_or(f64::INFINITY, |above| alone(above, up.by));
+    let Some(down) = down else {
+        let per = value(up).map_or(f64::INFINITY, |above| alone(above, up.by));
         return EntrySlope { per, uneven: false };
     };
     // Of two sides of which one has another kind of motion, that one does not count.
-    let above = above.filter(|_| up.alike || !down.alike);
-    let below = below.filter(|_| down.alike || !up.alike);
+    let above = value(up).filter(|_| up.alike || !down.alike);
+    let below = value(down).filter(|_| down.alike || !up.alike);
     let per = |from: T, to: T, by: f64| (to - from).f64() / by;
     match (above, below) {
         // At a zero the two sides of a magnitude are alike: each counts by itself.

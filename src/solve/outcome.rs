@@ -909,27 +909,11 @@ pub enum Told {
 impl Told {
     /// The value of a label, probably said at this place.
     pub fn value(&self, at: usize, label: Label) -> Option<f64> {
-        Self::values(std::iter::once(Some(self)), at, label).next()?
-    }
-    /// The same on several roads: it is looked for once in those that share their lanes.
-    pub fn values<'r>(
-        roads: impl Iterator<Item = Option<&'r Self>>,
-        at: usize,
-        label: Label,
-    ) -> impl Iterator<Item = Option<f64>> {
-        #[cfg(feature = "program")]
-        let mut last = None;
-        roads.map(move |told| match told? {
+        match self {
             Self::Alone(road) => road.said_at(at, label).map(|said| said.value),
             #[cfg(feature = "program")]
-            Self::Lane(road, lane) => {
-                let said = match last {
-                    Some((known, said)) if std::ptr::eq(known, &**road) => said,
-                    _ => last.insert((&**road, road.said_at(at, label))).1,
-                };
-                said.map(|said| said.value.lane(*lane))
-            }
-        })
+            Self::Lane(road, lane) => road.said_at(at, label).map(|said| said.value.lane(*lane)),
+        }
     }
     /// Which kind of motion it is.
     pub fn kind(&self) -> Kind {
