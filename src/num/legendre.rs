@@ -34,25 +34,19 @@ pub fn polynomials<T: Real>(x: T, last: usize) -> Vec<T> {
     p
 }
 
-/// The zeros of the polynomial of this degree from -1 to 1, ascending, each with the slope there: Tricomi's estimate, then Newton, at
-/// first in doubles.
+/// The zeros of the polynomial of this degree from -1 to 1, ascending, each with the slope there: Tricomi's estimate, then Newton.
 pub fn zeros(degree: usize) -> impl Iterator<Item = (Dd, Dd)> {
     let n = degree as f64;
     (0..degree).map(move |j| {
-        let estimate = -trig::sin_cos_degrees(180.0 * (j as f64 + 0.75) / (n + 0.5)).1.hi;
-        newton(degree, Dd::new(newton(degree, estimate, 5).0), 3)
+        let mut x = Dd::new(-trig::sin_cos_degrees(180.0 * (j as f64 + 0.75) / (n + 0.5)).1.hi);
+        let mut slope = Dd::ONE;
+        for _ in 0..8 {
+            let p = polynomials(x, degree);
+            slope = Dd::new(n) * (x * p[degree] - p[degree - 1]) / (x * x - Dd::ONE);
+            x = x - p[degree] / slope;
+        }
+        (x, slope)
     })
-}
-
-/// So many steps of Newton's method toward a zero, with the slope before the last one.
-fn newton<T: Real>(degree: usize, mut x: T, steps: u32) -> (T, T) {
-    let (n, mut slope) = (T::of(degree as f64), T::of(1.0));
-    for _ in 0..steps {
-        let p = polynomials(x, degree);
-        slope = n * (x * p[degree] - p[degree - 1]) / (x * x - T::of(1.0));
-        x = x - p[degree] / slope;
-    }
-    (x, slope)
 }
 
 /// Node and weight on the interval from 0 to 1 of a zero with its slope.
