@@ -1,4 +1,5 @@
 //! How finely an answer was given: half a unit of its last figure, as a share of the number.
+use crate::num::decimal::{nearest, one_of};
 
 /// Figures beyond these are no longer counted: a double holds no more.
 const MOST: usize = 15;
@@ -19,7 +20,7 @@ pub struct Figures {
 pub fn written(cell: &str) -> Option<Figures> {
     let start = cell.find(|c: char| c.is_ascii_digit())?;
     // `.5` and `,5` have a mark before the first digit.
-    let mut mark = cell[..start].ends_with(['.', ',']);
+    let mut mark = cell[..start].ends_with(one_of(".,"));
     let mut digits = String::new();
     let mut chars = cell[start..].chars().peekable();
     while let Some(c) = chars.next() {
@@ -39,7 +40,7 @@ pub fn written(cell: &str) -> Option<Figures> {
     let filled = figures.len() - counted.len();
     let figures = counted;
     let figures = figures.get(..figures.len().min(MOST))?;
-    let number: f64 = figures.parse().ok()?;
+    let number = nearest(figures)?;
     (number > 0.0).then_some(Figures { count: figures.len(), number, filled })
 }
 

@@ -1,5 +1,6 @@
 //! The number at the start of a text: a decimal with its marks and power of ten, or an exact value such as `3/4` or `2*sqrt(3)`.
 use crate::answer::read::WhyUnreadable;
+use crate::num::decimal::{leading_whole, nearest, one_of};
 
 /// A number without its sign, and what follows.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,14 +21,14 @@ pub(crate) struct Numeral<'t> {
 
 /// Without the sign in front, and whether it is a minus.
 pub(crate) fn unsigned(text: &str) -> (bool, &str) {
-    (text.starts_with('-'), text.strip_prefix(['-', '+']).unwrap_or(text).trim_start())
+    (text.starts_with('-'), text.strip_prefix(one_of("-+")).unwrap_or(text).trim_start())
 }
 
 /// May a number begin here?
 pub(crate) fn begins(text: &str) -> bool {
-    let text = unsigned(text).1.trim_start_matches(['(', ' ']);
+    let text = unsigned(text).1.trim_start_matches(one_of("( "));
     let text = unsigned(text).1;
-    let digits = text.strip_prefix(['.', ',']).unwrap_or(text);
+    let digits = text.strip_prefix(one_of(".,")).unwrap_or(text);
     digits.starts_with(|c: char| c.is_ascii_digit()) || root(text).is_some() || pi(text).is_some()
 }
 
@@ -103,7 +104,7 @@ impl<'t> Exact<'t> {
         let (mut value, mut last, mut barred) = (first.value(), first, false);
         loop {
             let behind = self.rest.trim_start();
-            let times = behind.strip_prefix(['*', '·', '×', '\u{22c5}', '\u{2219}']);
+            let times = behind.strip_prefix(one_of("*·×\u{22c5}\u{2219}"));
             let over = behind.strip_prefix('/');
             let next = times.or(over).unwrap_or(behind).trim_start();
             if times.is_none() && over.is_none() && root(next).is_none() && pi(next).is_none() {
@@ -135,7 +136,7 @@ impl<'t> Exact<'t> {
     /// Does a product go on here?
     fn goes_on(&self, depth: u8) -> bool {
         let behind = self.rest.trim_start();
-        let next = behind.strip_prefix(['*', '·', '×', '/']).map(str::trim_start);
+        let next = behind.strip_prefix(one_of("*·×/")).map(str::trim_start);
         let mut ahead = Exact { rest: next.unwrap_or(behind), told: false };
         (next.is_some() || root(behind).is_some() || pi(behind).is_some())
             && !matches!(ahead.factor(depth), Ok(None))
@@ -207,14 +208,14 @@ impl<'t> Exact<'t> {
             || raised.starts_with("**")
             || behind.starts_with(|c: char| "⁰¹²³⁴⁵⁶⁷⁸⁹⁻.,'".contains(c));
         let exponent = behind
-            .strip_prefix(['e', 'E'])
-            .is_some_and(|t| t.trim_start_matches(['+', '-']).starts_with(|c: char| c.is_ascii_digit()));
+            .strip_prefix(one_of("eE"))
+            .is_some_and(|t| t.trim_start_matches(one_of("+-")).starts_with(|c: char| c.is_ascii_digit()));
         // A mark at the very end is no part of the number.
         if exponent || (power && !matches!(behind, "." | "," | "'")) {
             return None;
         }
         self.rest = behind;
-        let value = text[..end].parse().ok()?;
+        let value = nearest(&text[..end])?;
         Some(if decimal { Factor::Decimal(value) } else { Factor::Whole(value) })
     }
 
@@ -246,7 +247,7 @@ fn decimal(text: &str) -> Result<Numeral<'_>, WhyUnreadable> {
         match b {
             b'0'..=b'9' => {}
             b' ' if bytes[at + 1..].starts_with(b"1/") || bytes[at + 1..].starts_with(b"1 /") => break, // `30.3 1/s`
-            b'\'' if next && text[at..].contains(['"', '″']) => break, // 5'3"
+            b'\'' if next && text[at..].contains(one_of("\"″")) => break, // 5'3"
             b',' | b'.' | b'\'' | b' ' if next => {
                 groups.push(&text[from..at]);
                 marks.push(b);
@@ -263,7 +264,7 @@ fn decimal(text: &str) -> Result<Numeral<'_>, WhyUnreadable> {
     let mut rest = &text[at..];
     let count = |mark: u8| marks.iter().filter(|m| **m == mark).count();
     let (commas, points) = (count(b','), count(b'.'));
-    if rest.starts_with([',', '.']) && rest[1..].starts_with([',', '.']) {
+    if rest.starts_with(one_of(",.")) && rest[1..].starts_with(one_of(",.")) {
         return Err(WhyUnreadable::Marks);
     }
     if commas + points == 0 && at > 0 {
@@ -297,21 +298,16 @@ fn decimal(text: &str) -> Result<Numeral<'_>, WhyUnreadable> {
         lone_comma && decimals.len() == 3 && (1..=3).contains(&whole.len()) && !whole.starts_with('0');
     // powers of ten
     let mut exponent = String::new();
-    if let Some(tail) = rest.strip_prefix(['e', 'E']) {
-        let sign = tail.starts_with('-');
-        let number = tail.strip_prefix(['-', '+']).unwrap_or(tail);
-        let length = number.bytes().take_while(u8::is_ascii_digit).count();
-        if length > 0 {
-            exponent = format!("{}{}", if sign { "-" } else { "" }, &number[..length]);
-            rest = &number[length..];
+    if let Some(tail) = rest.strip_prefix(one_of("eE")) {
+        if let Some((power, tail)) = leading_whole(tail) {
+            (exponent, rest) = (power, tail);
         }
     } else if let Some((power, tail)) = times_ten(rest)? {
-        exponent = power;
-        rest = tail;
+        (exponent, rest) = (power, tail);
     }
     let parse = |digits: String| -> Result<f64, WhyUnreadable> {
         let text = if exponent.is_empty() { digits } else { format!("{digits}e{exponent}") };
-        let value: f64 = text.parse().map_err(|_| WhyUnreadable::NoNumber)?;
+        let value = nearest(&text).ok_or(WhyUnreadable::NoNumber)?;
         if value.is_finite() { Ok(value) } else { Err(WhyUnreadable::NotFinite) }
     };
     Ok(Numeral {
@@ -335,8 +331,7 @@ fn superscript(c: char) -> Option<char> {
 
 /// `×10^n`, `x 10^-3`, `·10ⁿ`, `*10**n`: the exponent and what follows.
 fn times_ten(text: &str) -> Result<Option<(String, &str)>, WhyUnreadable> {
-    let Some(tail) = text.trim_start().strip_prefix(['\u{d7}', 'x', 'X', '*', '·', '\u{22c5}', '\u{2219}'])
-    else {
+    let Some(tail) = text.trim_start().strip_prefix(one_of("\u{d7}xX*·\u{22c5}\u{2219}")) else {
         return Ok(None);
     };
     let Some(tail) = tail.trim_start().strip_prefix("10") else {
@@ -361,15 +356,9 @@ fn times_ten(text: &str) -> Result<Option<(String, &str)>, WhyUnreadable> {
         Some('{') => (Some('}'), &tail[1..]),
         _ => (None, tail),
     };
-    let sign = tail.starts_with('-');
-    let number = tail.strip_prefix(['-', '+']).unwrap_or(tail);
-    let length = number.bytes().take_while(u8::is_ascii_digit).count();
-    if length == 0 {
-        return Err(WhyUnreadable::Formula);
-    }
-    let mut rest = &number[length..];
+    let (power, mut rest) = leading_whole(tail).ok_or(WhyUnreadable::Formula)?;
     if let Some(closing) = closing {
         rest = rest.strip_prefix(closing).ok_or(WhyUnreadable::Formula)?;
     }
-    Ok(Some((format!("{}{}", if sign { "-" } else { "" }, &number[..length]), rest)))
+    Ok(Some((power, rest)))
 }

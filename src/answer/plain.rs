@@ -1,5 +1,6 @@
 //! A cell in one alphabet: ASCII digits and marks, one kind of blank, minus and bracket; nothing invisible, and nothing of what web
 //! pages, TeX and spreadsheets wrap around a text.
+use crate::num::decimal::one_of;
 
 /// A cell in plain text.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -11,11 +12,11 @@ pub(crate) struct PlainText {
 
 pub(crate) fn plain(cell: &str) -> PlainText {
     let mut written = std::borrow::Cow::Borrowed(cell);
-    if written.contains(['&', '<']) {
+    if written.contains(one_of("&<")) {
         // Twice: what a page escaped, a second page escapes again.
         written = without_html(&without_html(&written)).into();
     }
-    if written.contains(['\\', '$']) {
+    if written.contains(one_of("\\$")) {
         written = without_tex(&written).into();
     }
     let (mut text, mut foreign) = (String::with_capacity(written.len()), false);
@@ -66,7 +67,7 @@ fn unwrapped(text: &str) -> &str {
         text = inside.trim();
     }
     let text = text.strip_prefix('\'').unwrap_or(text).trim();
-    text.strip_suffix(['.', ';', ',']).unwrap_or(text).trim_end()
+    text.strip_suffix(one_of(".;,")).unwrap_or(text).trim_end()
 }
 
 /// Where the digits of a script begin; each has ten in order (Unicode 16, category Nd, those that are written today).
@@ -108,7 +109,7 @@ const ENTITIES: &[(&str, &str)] = &[
 fn without_html(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;
-    while let Some(at) = rest.find(['&', '<']) {
+    while let Some(at) = rest.find(one_of("&<")) {
         out.push_str(&rest[..at]);
         let (mark, behind) = rest[at..].split_at(1);
         let end = if mark == "&" { ';' } else { '>' };
@@ -134,7 +135,7 @@ fn without_html(text: &str) -> String {
 
 fn entity(name: &str) -> Option<String> {
     if let Some(number) = name.strip_prefix('#') {
-        let code = match number.strip_prefix(['x', 'X']) {
+        let code = match number.strip_prefix(one_of("xX")) {
             Some(hex) => u32::from_str_radix(hex, 16).ok()?,
             None => number.parse().ok()?,
         };

@@ -4,6 +4,7 @@ use crate::answer::plain::{PlainText, plain};
 use crate::answer::spelling::SpelledUnit;
 pub use crate::answer::spelling::UnitCache;
 use crate::answer::word::{AnswerWord, phrase};
+use crate::num::decimal::one_of;
 use crate::units::{Unit, UnitFault};
 use std::sync::Arc;
 
@@ -152,19 +153,19 @@ fn general(plain: &PlainText, units: &mut UnitCache) -> Result<Reading, WhyUnrea
     if plain.text.is_empty() {
         return Ok(Reading::Blank);
     }
-    if plain.text.contains(['<', '>', '≥', '≤', '⩾', '⩽']) {
+    if plain.text.contains(one_of("<>≥≤⩾⩽")) {
         return Err(WhyUnreadable::Bound);
     }
     let text = after_symbol(&plain.text)?.replace("+/-", "±").replace("+-", "±");
     let (text, bracketed) = without_brackets(&text);
-    let text = text.trim_start_matches(['~', '\u{2248}', '\u{2243}', ' ']);
+    let text = text.trim_start_matches(one_of("~\u{2248}\u{2243} "));
     let (text, about) = without_about(text);
     if let Some(word) = phrase(text) {
         return word.map(Reading::Word);
     }
     let (mut word, mut text) = (None, text);
     if !begins(text) {
-        let lower = text.trim_start_matches(['-', '+']).trim().to_lowercase();
+        let lower = text.trim_start_matches(one_of("-+")).trim().to_lowercase();
         if ["nan", "inf", "infinity", "\u{221e}"]
             .iter()
             .any(|w| lower == *w || lower.starts_with(&format!("{w} ")))
@@ -172,8 +173,8 @@ fn general(plain: &PlainText, units: &mut UnitCache) -> Result<Reading, WhyUnrea
             return Err(WhyUnreadable::NotFinite);
         }
         let digit = text.find(|c: char| c.is_ascii_digit()).ok_or(WhyUnreadable::NoNumber)?;
-        let before = text[..digit].trim_end_matches(['.', ',', '-', '+', '(']);
-        word = Some(phrase(before.trim_end_matches([':', ' '])).ok_or(WhyUnreadable::NoNumber)??);
+        let before = text[..digit].trim_end_matches(one_of(".,-+("));
+        word = Some(phrase(before.trim_end_matches(one_of(": "))).ok_or(WhyUnreadable::NoNumber)??);
         text = without_brackets(&text[before.len()..]).0;
         if !begins(text) {
             return Err(WhyUnreadable::NoNumber);
@@ -210,18 +211,19 @@ fn looks_like(text: &str) -> Option<WhyUnreadable> {
     let body = unsigned(text).1;
     let digits = |t: &str| t.bytes().take_while(u8::is_ascii_digit).count();
     if let Some(hex) = body.strip_prefix("0x").or_else(|| body.strip_prefix("0X")) {
-        let power = hex.strip_prefix("10").is_some_and(|t| t.starts_with(['^', '*']) || digits(t) < t.len());
+        let power =
+            hex.strip_prefix("10").is_some_and(|t| t.starts_with(one_of("^*")) || digits(t) < t.len());
         if hex.starts_with(|c: char| c.is_ascii_hexdigit()) && !power {
             return Some(WhyUnreadable::Hex);
         }
     }
     let whole = digits(body);
-    if let Some(behind) = body[whole..].strip_prefix(['·', '\u{22c5}', '\u{2219}'])
+    if let Some(behind) = body[whole..].strip_prefix(one_of("·\u{22c5}\u{2219}"))
         && whole > 0
     {
         let more = digits(behind);
         let power = more == 2 && behind.starts_with("10");
-        if more > 0 && !power && !behind[more..].starts_with(['.', ',', '/', '^', '*', '·']) {
+        if more > 0 && !power && !behind[more..].starts_with(one_of(".,/^*·")) {
             return Some(WhyUnreadable::Dot);
         }
     }
@@ -315,7 +317,7 @@ fn quantity(
         }
     }
     if let Some(spread) = spread {
-        if spread_inside || spread.contains('±') || !begins(spread) || spread.starts_with(['-', '+', '(']) {
+        if spread_inside || spread.contains('±') || !begins(spread) || spread.starts_with(one_of("-+(")) {
             return Err(WhyUnreadable::TwoNumbers);
         }
         let spread = numeral(spread)?;
@@ -378,7 +380,7 @@ fn sum<'t>(
         let Ok(next) = numeral(text) else { break };
         let (next_name, behind) = unit_name(next.rest);
         let Some(unit) = unit_of(next_name, primes, units) else { break };
-        let product = behind.starts_with(['/', '^', '*', '·', '²', '³']);
+        let product = behind.starts_with(one_of("/^*·²³"));
         if product || unit.unit.dimension() != whole.unit.dimension() {
             break;
         }
@@ -425,12 +427,12 @@ fn unit_of(name: &str, primes: [&str; 2], units: &mut UnitCache) -> Option<Spell
 
 /// What stands after `omega =` or `=`.
 fn after_symbol(text: &str) -> Result<&str, WhyUnreadable> {
-    let Some(at) = text.find(['=', '\u{2248}']) else { return Ok(text) };
-    let (name, rest) = (text[..at].trim(), text[at..].trim_start_matches(['=', '\u{2248}']).trim_start());
+    let Some(at) = text.find(one_of("=\u{2248}")) else { return Ok(text) };
+    let (name, rest) = (text[..at].trim(), text[at..].trim_start_matches(one_of("=\u{2248}")).trim_start());
     let symbol = name.chars().count() <= 24
         && name.chars().next().is_none_or(|c| c.is_alphabetic() || c == '\\' || c == '|')
         && name.chars().all(|c| c.is_alphanumeric() || " _\\|()'".contains(c));
-    if !symbol || rest.contains(['=', '\u{2248}']) {
+    if !symbol || rest.contains(one_of("=\u{2248}")) {
         return Err(WhyUnreadable::Formula);
     }
     Ok(rest)
@@ -444,7 +446,7 @@ fn split_unit(rest: &str, units: &mut UnitCache) -> Result<UnitAndWord, WhyUnrea
     if rest.is_empty() {
         return Ok((None, None));
     }
-    if rest.starts_with(['\'', '′', '"', '″']) {
+    if rest.starts_with(one_of("'′\"″")) {
         return Err(WhyUnreadable::Prime);
     }
     // 12 /s
@@ -457,7 +459,7 @@ fn split_unit(rest: &str, units: &mut UnitCache) -> Result<UnitAndWord, WhyUnrea
         Ok(found) => return Ok((Some(found), None)),
         Err(fault) => fault,
     };
-    let mut cuts: Vec<usize> = rest.match_indices([' ', ',', '(']).map(|(i, _)| i).collect();
+    let mut cuts: Vec<usize> = rest.match_indices(one_of(" ,(")).map(|(i, _)| i).collect();
     cuts.reverse();
     cuts.push(0);
     let mut fault_before_word = None;
@@ -465,13 +467,13 @@ fn split_unit(rest: &str, units: &mut UnitCache) -> Result<UnitAndWord, WhyUnrea
         let Some(word) = phrase(&rest[cut..]) else { continue };
         // `155.3 N -down` says the sign and the direction.
         if rest[cut..]
-            .trim_start_matches([' ', ',', '('])
+            .trim_start_matches(one_of(" ,("))
             .strip_prefix('-')
             .is_some_and(|t| !t.starts_with(' '))
         {
             return Err(WhyUnreadable::OddWord);
         }
-        let before = rest[..cut].trim_end_matches([',', ' ', ';']);
+        let before = rest[..cut].trim_end_matches(one_of(", ;"));
         if before.is_empty() {
             return Ok((None, Some(word?)));
         }
@@ -486,10 +488,10 @@ fn split_unit(rest: &str, units: &mut UnitCache) -> Result<UnitAndWord, WhyUnrea
     if let Some(fault) = fault_before_word {
         return Err(WhyUnreadable::Unit(fault));
     }
-    if rest.starts_with(['+', '-']) {
+    if rest.starts_with(one_of("+-")) {
         return Err(WhyUnreadable::TwoNumbers);
     }
-    if rest.starts_with(['/', '^', '*', '\u{d7}', '·']) {
+    if rest.starts_with(one_of("/^*\u{d7}·")) {
         return Err(WhyUnreadable::Formula);
     }
     Err(WhyUnreadable::Unit(first_fault))

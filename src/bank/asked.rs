@@ -195,7 +195,7 @@ pub fn measured(written: &Node, scene: &mut Scene, context: &AskedContext, fault
 /// The data that it names.
 fn uses(asked: &Asked) -> Vec<DatumUse> {
     let terms = asked.formula.names().filter_map(|term| match term {
-        Term::Given(given) => Some(DatumUse { datum: given.datum, need: Need::TERM }),
+        Term::Given(given) => Some(DatumUse { datum: given.datum, need: *Need::TERM }),
         Term::Said(_) | Term::Other(..) => None,
     });
     terms.collect()

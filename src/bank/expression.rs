@@ -5,6 +5,7 @@
 use crate::bank::node::{Faults, Node, shorten};
 use crate::bank::{Datum, measure};
 use crate::finding::told;
+use crate::num::decimal::nearest;
 use crate::num::formula::{self, Formula};
 use crate::num::trig;
 use crate::scene::Label;
@@ -313,8 +314,8 @@ impl Parser<'_> {
                 self.at += 1;
             }
             let digits: String = self.chars[start..self.at].iter().collect();
-            return match digits.parse::<f64>() {
-                Ok(x) if x.is_finite() => {
+            return match nearest(&digits) {
+                Some(x) if x.is_finite() => {
                     self.steps.push(formula::Step::Number(x));
                     Ok([0; 3])
                 }

@@ -121,7 +121,7 @@ pub fn put(
         Given { datum, degrees: data[datum].degrees, powers }
     };
     scene.formulas.found = Some(Found { unknown: given(i), range, measured: given(at), label });
-    uses.push(DatumUse { datum: at, need: Need::TERM });
+    uses.push(DatumUse { datum: at, need: *Need::TERM });
     uses
 }
 

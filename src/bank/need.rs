@@ -40,37 +40,37 @@ const fn need(words: &'static str, unit: &'static str, range: Range, example: &'
 #[rustfmt::skip] // a table
 #[allow(missing_docs, reason = "each row says what it is")]
 impl Need {
-    pub const MASS: Self = need("a mass", "kg", POSITIVE, "20 kg");
-    pub const WEIGHT: Self = need("a weight", "N", POSITIVE, "100 N");
-    pub const RADIUS: Self = need("a radius", "m", POSITIVE, "0.25 m");
-    pub const GYRATION: Self = need("a radius of gyration", "m", NOT_NEGATIVE, "0.25 m");
-    pub const INERTIA: Self = need("a moment of inertia", "kg*m^2", NOT_NEGATIVE, "4 kg*m^2");
-    pub const SLOPE: Self = need("a slope", "deg", UP_TO_VERTICAL, "30 deg");
-    pub const FRICTION: Self = need("a friction coefficient", "1", NOT_NEGATIVE, "0.4");
-    pub const FORCE: Self = need("a force", "N", NOT_NEGATIVE, "100 N");
-    pub const PUSH: Self = need("a force", "N", DIRECTED, "100 N");
-    pub const IMPULSE: Self = need("an impulse", "N*s", DIRECTED, "5 N*s");
-    pub const MOMENT: Self = need("a moment", "N*m", SENSED, "75 N*m");
-    pub const STIFFNESS: Self = need("a stiffness", "N/m", POSITIVE, "400 N/m");
-    pub const TORSION: Self = need("a stiffness of a torsion spring", "N*m/rad", POSITIVE, "20 N*m/rad");
-    pub const LENGTH: Self = need("a length", "m", NOT_NEGATIVE, "0.25 m");
-    pub const STRETCH: Self = need("a stretch, negative of what is compressed,", "m", ANY, "0.1 m");
-    pub const TURN: Self = need("an angle", "rad", NOT_NEGATIVE, "3 rad");
-    pub const PLACE: Self = need("a place", "m", ANY, "0.25 m");
-    pub const TIME: Self = need("a time", "s", NOT_NEGATIVE, "2 s");
-    pub const ANGLE: Self = need("an angle", "deg", A_TURN, "30 deg");
-    pub const PUSHES_UP: Self = need("an angle of a line that pushes up", "deg", ACUTE, "30 deg");
-    pub const PUSHES_LEFT: Self = need("an angle of a line that pushes left", "deg", LEFT_OF_IT_LEFT, "30 deg");
-    pub const TILT: Self = need("an angle to the surface", "deg", ACUTE, "30 deg");
-    pub const ARM: Self = need("a distance from the pin", "m", NOT_NEGATIVE, "0.25 m");
-    pub const ROD: Self = need("a length of a rod", "m", POSITIVE, "0.25 m");
-    pub const VELOCITY: Self = need("a speed", "m/s", ANY, "1.5 m/s");
-    pub const ACCELERATION: Self = need("an acceleration", "m/s^2", ANY, "2 m/s^2");
-    pub const ANGULAR_ACCELERATION: Self = need("an angular acceleration", "rad/s^2", ANY, "3 rad/s^2");
-    pub const SPIN: Self = need("a spin", "rad/s", ANY, "8 rad/s");
-    pub const SPEED_REACHED: Self = need("a speed", "m/s", NOT_NEGATIVE, "1.5 m/s");
-    pub const TERM: Self = need("a part of an expression", "1", ANY, "2*d");
-    pub const SPIN_REACHED: Self = need("a spin", "rad/s", NOT_NEGATIVE, "8 rad/s");
+    pub const MASS: &Self = &need("a mass", "kg", POSITIVE, "20 kg");
+    pub const WEIGHT: &Self = &need("a weight", "N", POSITIVE, "100 N");
+    pub const RADIUS: &Self = &need("a radius", "m", POSITIVE, "0.25 m");
+    pub const GYRATION: &Self = &need("a radius of gyration", "m", NOT_NEGATIVE, "0.25 m");
+    pub const INERTIA: &Self = &need("a moment of inertia", "kg*m^2", NOT_NEGATIVE, "4 kg*m^2");
+    pub const SLOPE: &Self = &need("a slope", "deg", UP_TO_VERTICAL, "30 deg");
+    pub const FRICTION: &Self = &need("a friction coefficient", "1", NOT_NEGATIVE, "0.4");
+    pub const FORCE: &Self = &need("a force", "N", NOT_NEGATIVE, "100 N");
+    pub const PUSH: &Self = &need("a force", "N", DIRECTED, "100 N");
+    pub const IMPULSE: &Self = &need("an impulse", "N*s", DIRECTED, "5 N*s");
+    pub const MOMENT: &Self = &need("a moment", "N*m", SENSED, "75 N*m");
+    pub const STIFFNESS: &Self = &need("a stiffness", "N/m", POSITIVE, "400 N/m");
+    pub const TORSION: &Self = &need("a stiffness of a torsion spring", "N*m/rad", POSITIVE, "20 N*m/rad");
+    pub const LENGTH: &Self = &need("a length", "m", NOT_NEGATIVE, "0.25 m");
+    pub const STRETCH: &Self = &need("a stretch, negative of what is compressed,", "m", ANY, "0.1 m");
+    pub const TURN: &Self = &need("an angle", "rad", NOT_NEGATIVE, "3 rad");
+    pub const PLACE: &Self = &need("a place", "m", ANY, "0.25 m");
+    pub const TIME: &Self = &need("a time", "s", NOT_NEGATIVE, "2 s");
+    pub const ANGLE: &Self = &need("an angle", "deg", A_TURN, "30 deg");
+    pub const PUSHES_UP: &Self = &need("an angle of a line that pushes up", "deg", ACUTE, "30 deg");
+    pub const PUSHES_LEFT: &Self = &need("an angle of a line that pushes left", "deg", LEFT_OF_IT_LEFT, "30 deg");
+    pub const TILT: &Self = &need("an angle to the surface", "deg", ACUTE, "30 deg");
+    pub const ARM: &Self = &need("a distance from the pin", "m", NOT_NEGATIVE, "0.25 m");
+    pub const ROD: &Self = &need("a length of a rod", "m", POSITIVE, "0.25 m");
+    pub const VELOCITY: &Self = &need("a speed", "m/s", ANY, "1.5 m/s");
+    pub const ACCELERATION: &Self = &need("an acceleration", "m/s^2", ANY, "2 m/s^2");
+    pub const ANGULAR_ACCELERATION: &Self = &need("an angular acceleration", "rad/s^2", ANY, "3 rad/s^2");
+    pub const SPIN: &Self = &need("a spin", "rad/s", ANY, "8 rad/s");
+    pub const SPEED_REACHED: &Self = &need("a speed", "m/s", NOT_NEGATIVE, "1.5 m/s");
+    pub const TERM: &Self = &need("a part of an expression", "1", ANY, "2*d");
+    pub const SPIN_REACHED: &Self = &need("a spin", "rad/s", NOT_NEGATIVE, "8 rad/s");
 }
 
 impl Need {
@@ -80,11 +80,11 @@ impl Need {
         need(words, unit, NOT_NEGATIVE, "c")
     }
     /// Does the scene take it in degrees?
-    pub fn in_degrees(self) -> bool {
+    pub fn in_degrees(&self) -> bool {
         self.unit == "deg"
     }
     /// Does a value fit this use? Errors: the rule that it breaks, in words.
-    pub fn admits(self, value: f64) -> Result<(), String> {
+    pub fn admits(&self, value: f64) -> Result<(), String> {
         let (admits, rule, instead) = self.range;
         if admits(value) { Ok(()) } else { Err(told!("{} is {rule}{instead}", self.words)) }
     }

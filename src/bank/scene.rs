@@ -2,7 +2,7 @@
 use crate::bank::any::AnyNumber;
 use crate::bank::measure;
 use crate::bank::need::Need;
-use crate::bank::node::{Faults, Fields, Node, Value, WHOLE, items, named, shorten};
+use crate::bank::node::{Faults, Fields, Node, Value, WHOLE, items, named, shorten, some_named};
 use crate::finding::told;
 use crate::scene::{
     AsIf, Body, Carrier, Coordinate, Couple, Degree, Derived, End, Formulas, GivenForce, Growth, Line, Mass,
@@ -80,14 +80,12 @@ struct SceneReader<'a> {
     gravity: usize,
     touching: Touching,
     faults: &'a Faults,
-    touches: RefCell<Vec<(usize, Num)>>,
-    uses: RefCell<Vec<DatumUse>>,
+    /// What was met on the way, without the scene.
+    met: RefCell<SceneRead>,
     /// Numbers that are worked out from data.
     derived: RefCell<Vec<Derived>>,
     /// Given forces that grow.
     growths: RefCell<Vec<Growth>>,
-    /// Those that are `any`.
-    any: RefCell<Vec<AnyNumber>>,
     /// The line of some body could not be read, so nothing is said of surfaces that are not used.
     lost: Cell<bool>,
     /// The start gives the angle of a pinned body.
@@ -108,21 +106,14 @@ pub fn read(
         gravity,
         touching,
         faults,
-        touches: RefCell::new(Vec::new()),
-        uses: RefCell::new(Vec::new()),
-        derived: RefCell::new(Vec::new()),
-        growths: RefCell::new(Vec::new()),
-        any: RefCell::new(Vec::new()),
-        lost: Cell::new(false),
-        angled: Cell::new(false),
+        met: RefCell::default(),
+        derived: RefCell::default(),
+        growths: RefCell::default(),
+        lost: Cell::default(),
+        angled: Cell::default(),
     };
     let scene = reader.scene(node, gravity).filter(|_| faults.count() == before);
-    SceneRead {
-        scene,
-        uses: reader.uses.into_inner(),
-        touches: reader.touches.into_inner(),
-        any: reader.any.into_inner(),
-    }
+    SceneRead { scene, ..reader.met.into_inner() }
 }
 
 /// The fields that give a body its inertia, of which it has one.
@@ -201,12 +192,6 @@ impl SceneReader<'_> {
         let bodies_node = fields.need("bodies", "{wheel: {mass: m, moves: vertically}}");
         let along = carried_node.and_then(|n| n.field("along")).and_then(Node::text).map(str::trim);
         let mut bodies = bodies_node.map_or_else(Vec::new, |n| self.bodies(n, &surfaces, along));
-        if let Some(n) = bodies_node
-            && bodies.is_empty()
-            && matches!(&n.value, Value::Map(m) if m.is_empty())
-        {
-            f.at(n, "a scene has at least one body");
-        }
         let ties = fields.get("ties").map_or_else(Vec::new, |n| self.ties(n, &bodies));
         let start_node = fields.get("start");
         let start = start_node.map_or_else(Vec::new, |n| self.start(n, &mut bodies));
@@ -281,7 +266,7 @@ impl SceneReader<'_> {
             Some(Tie::Roll { mu_s: Some(mu_s), .. }) => Some((*mu_k, *mu_s)),
             _ => None,
         };
-        self.touches.borrow().iter().filter(|_| WHOLE).filter_map(rolls).collect()
+        self.met.borrow().touches.iter().filter(|_| WHOLE).filter_map(rolls).collect()
     }
 
     /// Mass or weight of a body or of a part, if one of them is given.
@@ -376,7 +361,9 @@ impl SceneReader<'_> {
 
     fn bodies(&self, node: &Node, surfaces: &[NamedSurface], carried_along: Option<&str>) -> Vec<Body> {
         let mut bodies = Vec::new();
-        for (name, key, value) in named(node, "bodies by name", self.faults) {
+        for (name, key, value) in
+            some_named(node, "bodies by name", "a scene has at least one body", self.faults)
+        {
             if WHOLE && !plain_name(name) {
                 self.faults.hint(
                     key,
@@ -540,9 +527,9 @@ impl SceneReader<'_> {
                 self.faults.hint(key, message, "a name such as `rim`");
             }
             // The use is recorded when a tie acts at this radius.
-            let before = self.uses.borrow().len();
+            let before = self.met.borrow().uses.len();
             if let Some(num) = self.number(value, Need::RADIUS) {
-                self.uses.borrow_mut().truncate(before);
+                self.met.borrow_mut().uses.truncate(before);
                 radii.push((radius.to_owned(), num));
             }
         }

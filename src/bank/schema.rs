@@ -5,7 +5,9 @@ use crate::bank::course;
 use crate::bank::decimal::Decimal;
 use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::need::Need;
-use crate::bank::node::{Faults, Fields, Node, Value, WHOLE, choice, items, named, shorten, text, whole};
+use crate::bank::node::{
+    Faults, Fields, Node, Value, WHOLE, choice, items, named, shorten, some_named, text, whole,
+};
 use crate::bank::scene::{self, DatumSymbol, SceneRead, Touching};
 use crate::bank::{
     Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative, TEMPLATE_NAMES, Variables,
@@ -119,11 +121,7 @@ pub fn bank(node: &Node, variables: Option<Variables>, faults: &Faults) -> Optio
     let problems_node = fields.need("problems", "{pulled-rolling: {...}}");
     let mut problems = Vec::new();
     if let Some(n) = problems_node {
-        let list = named(n, "problems by id", faults);
-        if list.is_empty() && matches!(n.value, Value::Map(_)) {
-            faults.at(n, "a bank has at least one problem");
-        }
-        for (name, key, value) in list {
+        for (name, key, value) in some_named(n, "problems by id", "a bank has at least one problem", faults) {
             if !plain_id(name) {
                 faults.hint(key, told!("`{}` is no id of a problem", shorten(name)), ID_HINT);
             }
@@ -843,12 +841,9 @@ fn questions(
     scenes: &[(&str, &Scene)],
     faults: &Faults,
 ) -> Vec<(String, Option<Question>)> {
-    let list = named(node, "questions by id", faults);
-    if list.is_empty() && matches!(node.value, Value::Map(_)) {
-        faults.at(node, "a problem has at least one question");
-    }
     let mut out = Vec::new();
-    for (id, key, value) in list {
+    for (id, key, value) in some_named(node, "questions by id", "a problem has at least one question", faults)
+    {
         if WHOLE && !scene::plain_name(id) {
             let hint = match id.split_once('.') {
                 Some((of, quantity)) if scene::plain_name(of) && scene::plain_name(quantity) => {

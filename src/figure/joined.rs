@@ -227,9 +227,41 @@ impl PlaneLayout {
             j.kind.spots().map(along).flat_map(move |x| [x - radius, x + radius])
         });
         let (low, high) = reach.fold((0.0, 0.0), |(a, b), x| (f64::min(a, x), f64::max(b, x)));
-        let (from, to) = (through + direction * (low - BEYOND), through + direction * (high + BEYOND));
         let down = direction.left() * -GUIDE;
+        // A face aslant is that of a wedge, which stands on the level of its foot.
+        let wedge =
+            !view.scene.bodies[body].turns && down.y < 0.0 && direction.y.abs() > 1e-3 && -down.y > 1.0;
+        // Its toe lies on what guides it, under all that lies on it.
+        let [foot, head] =
+            if wedge { [(GUIDE / direction.y.abs()).min(2.0 * BEYOND), 2.0 * BEYOND] } else { [BEYOND; 2] };
+        let [below, above] = if direction.y < 0.0 { [head, foot] } else { [foot, head] };
+        let (from, to) = (through + direction * (low - below), through + direction * (high + above));
+        if wedge {
+            let low = from.y.min(to.y).min(through.y - GUIDE);
+            return Some([from, to, vec2(to.x, low), vec2(from.x, low)]);
+        }
         Some([from, to, to + down, from + down])
+    }
+
+    /// The corners of a block that does not turn: along its guide, or upon the surface on which it slides.
+    fn block(&self, view: &SceneView, laid: &[Laid], body: usize) -> [Vec2; 4] {
+        let Laid { origin, axis } = laid[body];
+        let lies = view.scene.joints.iter().find_map(|j| match j.kind {
+            JointKind::Guide { at, line, .. } if at.body == body => {
+                Some((self.direction(view, laid, line), if line.on.is_some() { 10.0 } else { 0.0 }))
+            }
+            JointKind::Contact { at, surface: Surface::Arc { inside, .. }, .. } if at.body == body => {
+                Some((-axis.left(), if inside { -10.0 } else { 10.0 }))
+            }
+            JointKind::Contact { at, surface: Surface::Line(line), .. } if at.body == body => {
+                Some((self.direction(view, laid, line), 10.0))
+            }
+            _ => None,
+        });
+        let (side, off) = lies.unwrap_or((axis, 0.0));
+        let (a, b) = (side * 15.0, side.left() * 10.0);
+        let origin = origin + side.left() * off;
+        [origin + a + b, origin - a + b, origin - a - b, origin + a - b]
     }
 
     pub fn outline(&self, board: &mut Board, view: &SceneView, laid: &[Laid], body: usize, role: Role) {
@@ -240,23 +272,7 @@ impl PlaneLayout {
             if let Some(corners) = self.top(view, laid, body) {
                 return board.lines(&corners, true, role);
             }
-            // Along its guide, or upon the surface on which it slides.
-            let lies = view.scene.joints.iter().find_map(|j| match j.kind {
-                JointKind::Guide { at, line, .. } if at.body == body => {
-                    Some((self.direction(view, laid, line), if line.on.is_some() { 10.0 } else { 0.0 }))
-                }
-                JointKind::Contact { at, surface: Surface::Arc { inside, .. }, .. } if at.body == body => {
-                    Some((-axis.left(), if inside { -10.0 } else { 10.0 }))
-                }
-                JointKind::Contact { at, surface: Surface::Line(line), .. } if at.body == body => {
-                    Some((self.direction(view, laid, line), 10.0))
-                }
-                _ => None,
-            });
-            let (side, off) = lies.unwrap_or((axis, 0.0));
-            let (a, b) = (side * 15.0, side.left() * 10.0);
-            let origin = origin + side.left() * off;
-            board.lines(&[origin + a + b, origin - a + b, origin - a - b, origin + a - b], true, role);
+            board.lines(&self.block(view, laid, body), true, role);
             return;
         }
         let place = |p: Vec2| origin + (axis * p.x + axis.left() * p.y) * self.scale;
@@ -498,6 +514,9 @@ pub fn draw(board: &mut Board, view: &SceneView) {
     }
     letters(board, view, &plane, &plane.start, None);
     angles(board, view, &plane);
+    for joint in &view.scene.joints {
+        face(board, view, &plane, joint);
+    }
     for b in 0..view.scene.bodies.len() {
         sizes(board, view, &plane, b);
     }
@@ -660,7 +679,12 @@ fn rubs(board: &mut Board, view: &SceneView, run: &GuideRun, others: &[&GuideRun
             _ => view.label(mu, ""),
         };
         let direction = run.direction;
-        board.wish(label, vec![(middle, -normal), (to, direction), (from, -direction)], Role::Friction);
+        let mut spots = vec![(middle, -normal), (to, direction), (from, -direction)];
+        // Under the face of a wedge it would be told of its floor.
+        if run.carried && direction.y.abs() > 1e-3 {
+            spots = vec![(to + direction * 30.0, normal), (from - direction * 30.0, normal)];
+        }
+        board.wish(label, spots, Role::Friction);
     }
 }
 
@@ -917,13 +941,55 @@ fn sizes(board: &mut Board, view: &SceneView, plane: &PlaneLayout, body: usize) 
     // Beside the middle, where the mass centre has its dot; across the line of its length only where all else is taken.
     let places = [0.22, -0.22, 0.33, -0.33, 0.12, -0.12].map(|share| middle + (to - from) * share);
     let beside = [-out, out].into_iter().flat_map(|d| places.map(|p| (p + d * side, d)));
-    // Upon the ends of a plank, what rolls on it is not in the way.
-    let ends = plane.top(view, &plane.start, body).filter(|_| !this.turns).map(|[a, b, ..]| {
-        let along = (b - a).unit();
-        [a + along * UPON, b - along * UPON].map(|p| (p, along.left()))
-    });
-    let spots = ends.into_iter().flatten().chain(beside);
+    let top = plane.top(view, &plane.start, body).filter(|_| !this.turns);
+    let carried =
+        |j: &Joint| j.kind.carrier().is_some() && j.kind.spots().next().is_some_and(|at| at.body == body);
+    let ends = match top {
+        // Beside the upright side of a wedge.
+        Some([a, b, ..]) if top.is_some_and(is_wedge) => {
+            let (foot, head) = if a.y < b.y { (a, b) } else { (b, a) };
+            vec![(vec2(head.x, head.y.midpoint(foot.y)), vec2((head.x - foot.x).signum(), 0.0))]
+        }
+        // Upon the ends of a plank, what rolls on it is not in the way.
+        Some([a, b, ..]) => {
+            let along = (b - a).unit();
+            [a + along * UPON, b - along * UPON].map(|p| (p, along.left())).to_vec()
+        }
+        // Beside a block that another body carries, away from that.
+        None if !this.turns && view.scene.joints.iter().any(carried) => {
+            let [a, b, c, d] = plane.block(view, &plane.start, body);
+            let (up, along) = ((a - d).unit(), (a - b).unit());
+            vec![(a.middle(b), up), (b.middle(c), -along), (a.middle(d), along)]
+        }
+        None => Vec::new(),
+    };
+    let spots = ends.into_iter().chain(beside);
     board.label(rows, Role::Dot, (LabelTie::Clear, 6.0), spots.collect());
+}
+
+/// Do these corners of what carries a line make a wedge, and no plank?
+fn is_wedge([from, to, below, _]: [Vec2; 4]) -> bool {
+    below.x.to_bits() == to.x.to_bits() && (to - from).y.abs() > 1.0
+}
+
+/// The angle of the face of a wedge at its foot, above the level.
+fn face(board: &mut Board, view: &SceneView, plane: &PlaneLayout, joint: &Joint) {
+    let Some((line, on)) = joint.kind.line().zip(joint.kind.carrier()) else { return };
+    let Some([a, b, ..]) = plane.top(view, &plane.start, on.body).filter(|top| is_wedge(*top)) else {
+        return;
+    };
+    let (foot, head) = if a.y < b.y { (a, b) } else { (b, a) };
+    let level = vec2((head.x - foot.x).signum(), 0.0);
+    let degrees = ((head - foot).angle_of() - level.angle_of()).to_degrees();
+    // Where the axis is level, the angle that is told is that of the face; else it is another.
+    if (degrees.abs() - view.of(line.direction_deg).abs()).abs() > 1e-6 {
+        return;
+    }
+    board.line(foot, foot + level * 50.0, Role::Ghost);
+    let turned = board.angle(foot, 36.0, level.angle_of(), degrees);
+    let spots = on_arc(foot, 36.0, level.angle_of(), turned, MIDDLE_FIRST);
+    let label = view.size_label(line.direction_deg, "°");
+    board.label(vec![label], Role::Dimension, (LabelTie::Clear, 5.0), spots);
 }
 
 /// A dimension line beside a length.
@@ -1053,7 +1119,9 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
         let name = if push.toward_m.is_some() { "pull" } else { name };
         let force = say::text(view, push.force_n, unit);
         let to = push.toward_m.map_or_else(String::new, |place| teller.place(place));
-        out.push(say(name, &[("force", &force), ("point", &teller.called(push.at)), ("place", &to)]));
+        let way = teller.way(push);
+        let pieces = [("force", &*force), ("point", &teller.called(push.at)), ("place", &to), ("way", &way)];
+        out.push(say(name, &pieces));
     }
     out.extend(view.scene.struts.iter().map(|strut| teller.strut(strut)));
     // The letter of a point stays as it is.
@@ -1092,7 +1160,29 @@ impl Teller<'_, '_> {
         self.say(name, &[("angle", &say::text(self.view, direction_deg, "°"))])
     }
     fn straight(&self, line: Straight) -> String {
-        line.on.map_or_else(|| self.line(line.direction_deg), |on| self.called(on))
+        let Some(on) = line.on else { return self.line(line.direction_deg) };
+        let on = self.called(on);
+        match line.direction_deg {
+            Num::Fixed(0.0) => on,
+            angle => {
+                let angle = say::text(self.view, angle, "°");
+                self.say("carried", &[("on", &on), ("angle", &angle)])
+            }
+        }
+    }
+    /// Whither a force acts.
+    fn way(&self, push: &crate::scene::Push) -> String {
+        let angle = say::text(self.view, push.direction_deg, "°");
+        let name = match push.direction_deg {
+            _ if push.toward_m.is_some() => return String::new(),
+            _ if push.turns => "from_axis",
+            Num::Fixed(0.0) => "to.right",
+            Num::Fixed(90.0) => "to.up",
+            Num::Fixed(180.0) => "to.left",
+            Num::Fixed(-90.0) => "to.down",
+            _ => "to.angle",
+        };
+        self.say(name, &[("angle", &angle)])
     }
     fn joint(&self, kind: JointKind) -> String {
         match kind {
@@ -1115,7 +1205,9 @@ impl Teller<'_, '_> {
                     false => "slides",
                 };
                 let on = match surface {
-                    Surface::Line(Straight { on: Some(on), .. }) => self.called(on),
+                    Surface::Line(line) if line.on.is_some() => {
+                        self.say("surface", &[("line", &self.straight(line))])
+                    }
                     Surface::Line(Straight { direction_deg, .. }) => {
                         let line =
                             self.say("sloped", &[("angle", &say::text(self.view, direction_deg, "°"))]);

@@ -3,6 +3,7 @@
 use crate::answer::read::WhyUnreadable;
 #[cfg(feature = "program")]
 use crate::grade::verdict::Verdict;
+use crate::num::decimal::nearest;
 use crate::units::{Unit, UnitFault, UnitKind, UnitSlip};
 use crate::words::Words;
 use crate::words::plain::beginning;
@@ -79,7 +80,7 @@ impl<'w> Feedback<'w> {
 
     /// A number as it was read, with its unit: ten figures, which nobody who writes a fraction or a root exceeds.
     pub fn read_as(&self, value: f64, unit: &str) -> String {
-        let rounded: f64 = format!("{value:.9e}").parse().unwrap_or(value);
+        let rounded = nearest(&format!("{value:.9e}")).unwrap_or(value);
         let plain = rounded == 0.0 || (1e-5..1e16).contains(&rounded.abs());
         let text = if plain { format!("{rounded}") } else { format!("{rounded:e}") };
         let number = self.words.number(&text);

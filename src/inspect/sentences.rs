@@ -8,7 +8,7 @@ pub use crate::num::shown::significant as rounded;
 use crate::problem::rule::inadmissible;
 use crate::scene::pose::{Choice, Gap, Layout};
 use crate::scene::{
-    AsIf, Asked, Coordinate, Degree, End, Found, Mass, Num, Numbers, Quantity, Scene, Span, Spot, Tie,
+    AsIf, Asked, Coordinate, Degree, End, Found, Mass, Num, Numbers, Planar, Quantity, Scene, Span, Spot, Tie,
 };
 use crate::solve::ladder::{self, Force, Taken};
 use crate::solve::method::{Method, Rung};
@@ -137,7 +137,8 @@ fn reaches(scene: &Scene, c: &Check) -> String {
         (false, _) if matches!(scene.end, End::Leaves(_)) => "not_left",
         // It is reached, and by a motion of no length.
         _ if at_start => "at_start",
-        (false, false) if matches!(scene.end, End::Time(..)) && !pinned => {
+        // In phases it goes on after a turning point, up to where nothing holds what slips.
+        (false, false) if matches!(scene.end, End::Time(..)) && !pinned && !scene.goes_in_phases() => {
             if endless {
                 "after_turning_endless"
             } else {
@@ -490,9 +491,20 @@ fn misplaced(scene: &Scene, refusal: &Refusal) -> String {
     let name = |body: usize| scene.bodies.get(body).map_or("?", |b| b.name.as_str());
     let when = |at_start| if at_start { "at the start" } else { "on the way" };
     match refusal {
+        Refusal::Unplaced(index) if scene.is_still() && scene.starts_from_rest() => format!(
+            "nothing says where `{}` is: no joint puts it beside what has a place; give it `placed: [x, y]`, where its axis begins{}",
+            name(*index),
+            match scene.planar(*index) {
+                Some(Planar { start_deg: None, .. }) if scene.bodies[*index].turns => {
+                    ", and its `angle` under `start:`"
+                }
+                _ => "",
+            }
+        ),
         Refusal::Unplaced(index) => format!(
             "the joints do not place `{}` on the way: a body is placed that leads, is welded, or is pinned or hinged to what has a \
-             place and either guided at another point, by a cord or a light rod too, or hinged there to a second such body; a wheel \
+             place and either guided at another point, by a cord or a light rod too, or by a slot of it, or hinged there to a second such \
+             body; one that does not turn moves in a bed and by a slot, or by a wheel that rolls on it; a wheel \
              that an arm carries about the axis of a cylinder `meshes` with it",
             name(*index)
         ),
@@ -541,6 +553,12 @@ fn misplaced(scene: &Scene, refusal: &Refusal) -> String {
         Refusal::Parted { joint, off_m, at_start } => {
             let name = scene.joints.get(*joint).map_or("?", |j| j.name.as_str());
             let when = when(*at_start);
+            if off_m.is_nan() {
+                return format!(
+                    "nothing says {when} which way a body at the joint `{name}` lies: two places that give it its direction are one, \
+                     such as the point in a slot at the pin of the arm; change the lengths or the angle at the start"
+                );
+            }
             format!(
                 "the joint `{name}` cannot be met {when}: where the other joints and the data put the bodies, it is {} m off; \
                  change the lengths, the angle at the start, `placed:`, or the place of the joint",

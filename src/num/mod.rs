@@ -3,6 +3,7 @@
 pub mod ball;
 pub mod chance;
 pub mod dd;
+pub mod decimal;
 mod double;
 pub mod eliminate;
 pub mod elliptic;

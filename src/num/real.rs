@@ -184,6 +184,11 @@ pub trait Real:
     fn balance(self, other: Self) -> Self {
         (self + other).cleared(self.size() + other.size())
     }
+    /// Sum of two terms, exactly zero where no more is left than printed data leave open of them; an enclosure keeps it.
+    #[cfg_attr(feature = "program", inline(always))]
+    fn settled(self, other: Self) -> Self {
+        (self + other).cleared(self.size().max(other.size()) * (AT / Self::NOISE))
+    }
     /// Quotient; over exactly zero it is infinite (0 over 0 is 0), whatever the data.
     #[cfg_attr(feature = "program", inline(always))]
     fn over(self, under: Self) -> Self {

@@ -4,6 +4,8 @@
 //! decimal number that is meant. So 0.5275, which no double is, is rounded as 0.5275 and not as 0.52749999999999996891.
 //! Half a unit of the last place goes away from zero, so that a number and its opposite look alike.
 
+use crate::num::decimal::nearest;
+
 /// Decimal digits that a double holds, whatever it is.
 const HELD: usize = 15;
 
@@ -86,7 +88,7 @@ pub fn significant(value: f64, figures: usize) -> String {
         self::decimals(value, usize::try_from(decimals).unwrap_or(0))
     } else if (0..6).contains(&exponent) {
         // More digits before the point than figures: round them there.
-        let whole: f64 = short.parse().unwrap_or(value);
+        let whole = nearest(&short).unwrap_or(value);
         self::decimals(whole, 0)
     } else {
         short
@@ -95,7 +97,7 @@ pub fn significant(value: f64, figures: usize) -> String {
 
 /// The number that is meant by so many significant figures of this one.
 pub fn rounded(value: f64, to_figures: usize) -> f64 {
-    figures(value, to_figures).parse().unwrap_or(value)
+    nearest(&figures(value, to_figures)).unwrap_or(value)
 }
 
 /// At most so many decimals, without zeros at their end: `12.5` for three.

@@ -1,11 +1,12 @@
 //! A page's talk with the program: a sheet is opened, then each request is a JSON text and so is its answer.
 use crate::finding::Finding;
 use crate::misconception::MethodWords;
-use crate::page::check::{self, CheckedProblem};
+use crate::page::check::{self, Checked, CheckedProblem};
 use crate::page::echo;
 use crate::page::sheet_file::SheetFile;
 use crate::words::Words;
-use serde_json::{Value, json};
+use serde::Serialize;
+use serde_json::Value;
 
 /// A sheet that is open in a page, solved.
 #[derive(Debug)]
@@ -14,6 +15,16 @@ pub struct Session {
     /// What is said about wrong methods, by id: `did`, `see`, `hint`.
     methods: Value,
     problems: Vec<CheckedProblem>,
+}
+
+/// An answer as the page gets it; nothing is `null`.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Answer {
+    Nothing,
+    Read { readable: bool, text: String },
+    Check { part: String, verdict: &'static str, reason: String, read: String, hints: Vec<String> },
+    All(Vec<Self>),
 }
 
 impl Session {
@@ -36,12 +47,12 @@ impl Session {
     /// The answer to a request, `{"read": [part, cell]}` or `{"check": [[part, cell], ...]}`; `null` to what is none.
     pub fn answer(&self, request: &str) -> String {
         let request: Value = serde_json::from_str(request).unwrap_or_default();
-        let pair = |value: &Value, answer: fn(&Self, &str, &str) -> Option<Value>| {
-            answer(self, value.get(0)?.as_str()?, value.get(1)?.as_str()?)
+        let told = |value: &Value, tell: fn(&Self, &str, &str) -> Option<Answer>| {
+            tell(self, value.get(0)?.as_str()?, value.get(1)?.as_str()?)
         };
         let answer = match request["check"].as_array() {
-            Some(answers) => answers.iter().filter_map(|one| pair(one, Self::check)).collect(),
-            None => pair(&request["read"], Self::read).unwrap_or_default(),
+            Some(answers) => Answer::All(answers.iter().filter_map(|one| told(one, Self::check)).collect()),
+            None => told(&request["read"], Self::read).unwrap_or(Answer::Nothing),
         };
         serde_json::to_string(&answer).unwrap_or_default()
     }
@@ -54,28 +65,22 @@ impl Session {
     }
 
     /// How an answer is read.
-    fn read(&self, part: &str, cell: &str) -> Option<Value> {
+    fn read(&self, part: &str, cell: &str) -> Option<Answer> {
         let (problem, index) = self.part(part)?;
         let read = echo::echo(cell, &problem.key.parts[index], &self.words);
         let readable = read.is_ok();
         let (Ok(text) | Err(text)) = read;
-        Some(json!({ "readable": readable, "text": text }))
+        Some(Answer::Read { readable, text })
     }
 
     /// What an answer is. All hints that lead on from it are handed over; the page tells them one by one.
-    fn check(&self, part: &str, cell: &str) -> Option<Value> {
+    fn check(&self, part: &str, cell: &str) -> Option<Answer> {
         let (problem, index) = self.part(part)?;
         let find = |id: &str| {
             let words = |name: &str| self.methods[id][name].as_str();
             Some(MethodWords { did: words("did")?, see: words("see")?, hint: words("hint")? })
         };
-        let told = problem.check(index, cell, &self.words, &find)?;
-        Some(json!({
-            "part": part,
-            "verdict": told.verdict.as_str(),
-            "reason": told.reason,
-            "read": told.read,
-            "hints": told.hints,
-        }))
+        let Checked { verdict, reason, read, hints } = problem.check(index, cell, &self.words, &find)?;
+        Some(Answer::Check { part: part.to_owned(), verdict: verdict.as_str(), reason, read, hints })
     }
 }

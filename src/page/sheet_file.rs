@@ -185,11 +185,10 @@ impl SheetProblem {
 /// What JSON holds, as texts without places.
 fn node(value: &Value) -> Node {
     let value = match value {
-        Value::Null => node::Value::Empty,
         Value::String(written) => node::Value::Text(written.clone()),
-        Value::Bool(_) | Value::Number(_) => {
-            node::Value::Text(serde_json::to_string(value).unwrap_or_default())
-        }
+        // What a page opens was written for it, and all of it as texts.
+        Value::Bool(_) | Value::Number(_) if WHOLE => node::Value::Text(value.to_string()),
+        Value::Null | Value::Bool(_) | Value::Number(_) => node::Value::Empty,
         Value::Array(items) => node::Value::List(items.iter().map(node).collect()),
         Value::Object(fields) => {
             node::Value::Map(fields.iter().map(|(name, value)| (Node::of_text(name), node(value))).collect())

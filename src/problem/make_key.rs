@@ -225,11 +225,11 @@ pub fn word_signs(scene: &Scene, label: Label) -> Option<WordSigns> {
         (Q::A | Q::ARolling | Q::Displacement | Q::Impulse | Q::Friction | Q::FrictionIfRolled, None) => {
             body.map_or(forward, |b| along(scene, b, rubs))
         }
-        (Q::Friction, Some(kind)) if kind.is_level(&scene.bodies) => WordSigns { right: 1, ..forward },
+        (Q::Friction, Some(kind)) if kind.is_level(scene) => WordSigns { right: 1, ..forward },
         (Q::Friction, Some(_)) => up,
         // To the left of the guide.
         (Q::Normal | Q::Impulse, Some(JointKind::Guide { line, .. })) => {
-            line.fixed_deg(&scene.bodies).map_or(nothing, |along| {
+            line.fixed_deg(&scene.bodies, false).map_or(nothing, |along| {
                 let sign = |angle: f64| match angle.rem_euclid(360.0) {
                     at if at % 180.0 == 0.0 => 0,
                     at => sign(at < 180.0),
@@ -273,6 +273,13 @@ fn turn(scene: &Scene, body: &Body) -> i8 {
         (_, Some(line)) => sign(line.surface && !line.forward_up),
         _ => -1,
     }
+}
+
+/// The phrase that tells which turn is forward, where the direction of what only turns is asked.
+pub fn turns_forward(scene: &Scene, label: Label) -> Option<&'static str> {
+    let body = scene.bodies.get(scene.ending_coordinate().body)?;
+    let turns = label.quantity == Quantity::Direction && body.line.is_none() && body.planar.is_none();
+    turns.then(|| if turn(scene, body) > 0 { "sheet.forward_left" } else { "sheet.forward_right" })
 }
 
 /// Does what bodies move on rise to the right, as it is drawn? Of two surfaces one may rise to the left.

@@ -497,7 +497,7 @@ impl Scene {
             Some(JointKind::Guide { line, one_sided: false, .. }) => Some(line),
             _ => None,
         };
-        let fixed = line.is_some_and(|line| line.fixed_deg(&self.bodies).is_some());
+        let fixed = line.is_some_and(|line| line.fixed_deg(&self.bodies, false).is_some());
         let on_joint = matches!(joint, Some(JointKind::Guide { .. } | JointKind::Contact { .. }));
         match label.quantity {
             Quantity::Normal => !fixed,

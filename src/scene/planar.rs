@@ -193,12 +193,13 @@ pub struct Straight {
 }
 
 impl Straight {
-    /// Its direction, degrees counter-clockwise from the right; `None` where that is drawn, or changes with a body that turns.
-    pub fn fixed_deg(&self, bodies: &[Body]) -> Option<f64> {
+    /// Its direction, degrees counter-clockwise from the right; `None` where that is drawn, or changes with a body that turns: of one that
+    /// is looked at only where it starts, it is known if the angle there is told.
+    pub fn fixed_deg(&self, bodies: &[Body], still: bool) -> Option<f64> {
         let Num::Fixed(own) = self.direction_deg else { return None };
         let Some(on) = self.on else { return Some(own) };
-        let body = bodies.get(on.body).filter(|body| !body.turns)?;
-        let planar = body.planar.as_ref()?;
+        let body = bodies.get(on.body)?;
+        let planar = body.planar.as_ref().filter(|p| !body.turns || still && p.start_deg.is_some())?;
         let Num::Fixed(angle) = planar.start_deg.unwrap_or(Num::Fixed(0.0)) else { return None };
         let axis = match planar.from {
             Ray::Right => 0.0,
@@ -245,9 +246,10 @@ impl JointKind {
             _ => &[Quantity::Impulse],
         }
     }
-    /// Is it a level line in every draw, on the ground or on one of these bodies?
-    pub fn is_level(&self, bodies: &[Body]) -> bool {
-        self.line().and_then(|line| line.fixed_deg(bodies)).is_some_and(|at| at % 180.0 == 0.0)
+    /// Is it a level line in every draw, on the ground or on a body of this scene?
+    pub fn is_level(&self, scene: &Scene) -> bool {
+        let along = self.line().and_then(|line| line.fixed_deg(&scene.bodies, scene.is_still()));
+        along.is_some_and(|at| at % 180.0 == 0.0)
     }
     /// Can it only push, so that its point can leave it?
     pub const fn only_pushes(&self) -> bool {

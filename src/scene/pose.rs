@@ -338,9 +338,38 @@ struct Guided<T> {
 struct Track<T> {
     joint: usize,
     at: [T; 2],
-    through: [T; 2],
+    through: Known<T>,
     unit: [T; 2],
     radius: T,
+}
+
+/// A line on which a place lies that is so far from what it places: its normal, and how far it lies along that, which is the sum of how
+/// far known places lie along vectors, a distance and what the turn of the leading body adds. Normal and vectors turn with a body.
+#[derive(Debug, Clone, Copy)]
+struct Line<T> {
+    normal: [T; 2],
+    own: [T; 2],
+    to: [([T; 2], Known<T>); 2],
+    far: T,
+    turn: T,
+    with: Option<usize>,
+}
+
+impl<T: Real> Line<T> {
+    /// Its normal and how far it lies along it, after this way of what leads.
+    fn among<X: Followed<T>>(&self, way: T, poses: &Poses<X>) -> ([X; 2], X) {
+        let unit = |unit| self.with.map_or_else(|| fixed(unit), |body| from_origin(poses[body].axis, unit));
+        let [one, other] = self.to.map(|(along, place)| dot(unit(along), place.among(poses)));
+        let turned = X::with(self.far + way * self.turn, || [self.turn, T::zero()]);
+        let normal = unit(self.normal);
+        (normal, one + other + turned - component(normal, self.own))
+    }
+}
+
+/// The place where two lines meet.
+fn crossing<T: Real, X: Followed<T>>([(p, a), (q, b)]: [([X; 2], X); 2]) -> [X; 2] {
+    let per_area = X::still(T::of(1.0)) / (p[0] * q[1] - p[1] * q[0]);
+    [a * q[1] - b * p[1], b * p[0] - a * q[0]].map(|x| x * per_area)
 }
 
 /// How a body is placed.
@@ -364,6 +393,8 @@ enum Step<T> {
     Still(Held<T>, [T; 2]),
     /// It rolls on a line, and its axis has this direction at the start.
     Rolls(Held<T>, Track<T>, [T; 2]),
+    /// A point of it lies where two lines meet; it rolls on a line if any, and its axis has this direction at the start.
+    Crosses([T; 2], [Line<T>; 2], Option<Track<T>>, [T; 2]),
     /// Its centre goes about the axis of a gear with the turn of the leading body, and it meshes there: how far it turns per turn of that,
     /// and the direction of its axis at the start.
     Orbits(Held<T>, T, [T; 2]),
@@ -549,14 +580,12 @@ impl<'a, T: Real> Layout<'a, T> {
         if scene.joints.iter().any(|j| rolls(j) || tied(j)) {
             let first: Poses<T> = layout.poses(T::zero(), true)?;
             for (j, joint) in scene.joints.iter().enumerate() {
-                let from =
-                    |at: Spot, place| less(first[at.body].point(of_spot(scene, n, at)), ground(n, place));
                 layout.starts[j] = match joint.kind {
-                    JointKind::Contact { at, surface: Surface::Line(Straight { through_m, .. }), .. } => {
-                        dot(from(at, through_m), layout.lines[j])
+                    JointKind::Contact { at, surface: Surface::Line(line), .. } => {
+                        layout.beside(j, (at, line), &first)[0]
                     }
                     JointKind::Cord { at, place_m, .. } => {
-                        let apart = from(at, place_m);
+                        let apart = less(layout.spot(at, &first), ground(n, place_m));
                         dot(apart, apart).root()
                     }
                     _ => T::zero(),
@@ -636,7 +665,8 @@ impl<'a, T: Real> Layout<'a, T> {
         let found = root::changes((far, step), &|way| turned(way).map(|(sine, _)| sine).ok_or(())).ok()?;
         found.into_iter().find(|way| turned(*way).is_some_and(|(_, cosine)| cosine.sign() < 0.0))
     }
-    /// Do two hinged rods lie in one line after this way, or a rod across its guide, where they could go on in two ways?
+    /// Do two hinged rods lie in one line after this way, or a rod across its guide, or a point in a slot at the pin of its arm, where
+    /// they could go on in two ways?
     pub fn in_line(&self, way: T) -> bool {
         const SINE: f64 = 1e-4;
         let Some(poses) = self.poses::<T>(way, false) else { return false };
@@ -653,6 +683,9 @@ impl<'a, T: Real> Layout<'a, T> {
             Step::Rod(held, guide, _) => {
                 let along = less(poses[*body].point(guide.at), place(held));
                 sine(along, left(guide.unit)) < SINE
+            }
+            Step::Slot(held, through, ..) => {
+                off(through.among(&poses), place(held)) < SINE * size(self.scene, self.n)
             }
             _ => false,
         })
@@ -747,11 +780,8 @@ impl<'a, T: Real> Layout<'a, T> {
     /// The first joint that does not hold where everything is, and by how much, m: what placed the bodies is not asked. A cord has
     /// the length that it has at the start. There a joint must leave a body where it is said to be placed.
     pub fn parted(&self, poses: &Poses<T>, at_start: bool) -> Option<(usize, f64)> {
-        let place = |spot: Spot| poses[spot.body].point(of_spot(self.scene, self.n, spot));
-        let aside = |j: usize, at, line: Straight| {
-            let through = line.on.map_or_else(|| ground(self.n, line.through_m), place);
-            dot(left(self.line(j, poses)), less(place(at), through))
-        };
+        let place = |spot: Spot| self.spot(spot, poses);
+        let aside = |j: usize, at, line| self.beside(j, (at, line), poses)[1];
         let size = size(self.scene, self.n);
         let parts = self.scene.joints.iter().enumerate().map(|(j, joint)| match joint.kind {
             JointKind::Pin { at, place_m } => off(place(at), ground(self.n, place_m)),
@@ -781,6 +811,16 @@ impl<'a, T: Real> Layout<'a, T> {
         };
         let all = parts.zip(self.scene.joints.iter().map(moved)).map(|(apart, moved)| apart + moved);
         all.enumerate().find(|(_, off)| off.is_nan() || *off > MET * size)
+    }
+    /// Where a point of a body is.
+    fn spot(&self, spot: Spot, poses: &Poses<T>) -> [T; 2] {
+        poses[spot.body].point(of_spot(self.scene, self.n, spot))
+    }
+    /// How far a point is along the line of a joint and to its left.
+    fn beside(&self, joint: usize, (at, line): (Spot, Straight), poses: &Poses<T>) -> [T; 2] {
+        let through = line.on.map_or_else(|| ground(self.n, line.through_m), |on| self.spot(on, poses));
+        let (from, unit) = (less(self.spot(at, poses), through), self.line(joint, poses));
+        [dot(unit, from), dot(left(unit), from)]
     }
     /// How far the centre of a body is from the axis of the cylinder that it touches, or a point from where its cord is tied.
     fn apart(&self, joint: usize) -> Option<T> {
@@ -960,6 +1000,12 @@ impl<'a, T: Real> Layout<'a, T> {
     fn place<X: Followed<T>>(&self, way: T, step: &Step<T>, poses: &mut Poses<X>) -> Option<Pose<X>> {
         let place = |held: &Held<T>, poses: &Poses<X>| held.place.among(poses);
         let lead = || self.axis(way, T::of(1.0));
+        // The turn of a wheel goes with the way of its centre.
+        let rolls = |centre: [X; 2], track: &Track<T>, axis: [T; 2], poses: &Poses<X>| {
+            let ahead = component(less(centre, track.through.among(poses)), track.unit)
+                - X::still(self.starts[track.joint]);
+            rolled(axis, -ahead.by(T::of(1.0) / track.radius))
+        };
         Some(match step {
             Step::Arc(at) => {
                 let arc = self.arc.as_ref()?;
@@ -972,7 +1018,7 @@ impl<'a, T: Real> Layout<'a, T> {
                 let ahead =
                     turned.by(plant!("pose: way of a wheel on a line", -track.radius)) + X::still(*start);
                 let up = left(track.unit).map(|u| u * track.radius);
-                let centre = plus(along_unit(track.unit, ahead), fixed(plus(track.through, up)));
+                let centre = plus(along_unit(track.unit, ahead), plus(track.through.among(poses), fixed(up)));
                 Pose::through(lead()?, track.at, centre)
             }
             Step::Leads(held) => Pose::through(lead()?, held.at, place(held, poses)),
@@ -987,17 +1033,13 @@ impl<'a, T: Real> Layout<'a, T> {
                 around(lead()?, other, one, *branch)?
             }
             Step::Slides([one, other], _) => {
-                // origin + s axis lies on each line: two equations for the origin.
                 let axis = lead()?;
                 let row = |guide: &Guided<T>| {
                     let normal = left(guide.unit);
                     let far = X::still(dot(normal, guide.through));
-                    (normal, far - across(normal, axis, guide.at))
+                    (fixed(normal), far - across(normal, axis, guide.at))
                 };
-                let ((p, a), (q, b)) = (row(one), row(other));
-                let per_area = T::of(1.0) / (p[0] * q[1] - p[1] * q[0]);
-                let origin = [a.by(q[1]) - b.by(p[1]), b.by(p[0]) - a.by(q[0])];
-                Pose { origin: times(origin, per_area), axis }
+                Pose { origin: crossing([row(one), row(other)]), axis }
             }
             Step::Drops(guide, centre, start) => {
                 let axis = lead()?;
@@ -1013,12 +1055,14 @@ impl<'a, T: Real> Layout<'a, T> {
             }
             Step::Still(held, axis) => Pose::through(fixed(*axis), held.at, place(held, poses)),
             Step::Rolls(held, track, axis) => {
-                // Its turn goes with the way of its centre.
                 let place = place(held, poses);
-                let ahead = component(less(place, fixed(track.through)), track.unit)
-                    - X::still(self.starts[track.joint]);
-                let turned = -ahead.by(T::of(1.0) / track.radius);
-                Pose::through(rolled(*axis, turned), held.at, place)
+                Pose::through(rolls(place, track, *axis, poses), held.at, place)
+            }
+            Step::Crosses(at, lines, track, axis) => {
+                let place = crossing(lines.map(|line| line.among(way, poses)));
+                let still = || fixed(*axis);
+                let axis = track.as_ref().map_or_else(still, |track| rolls(place, track, *axis, poses));
+                Pose::through(axis, *at, place)
             }
             Step::Orbits(held, ratio, axis) => {
                 let sense = sense(self.scene.bodies[self.lead].planar.as_ref()?);

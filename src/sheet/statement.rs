@@ -417,7 +417,9 @@ fn form(
             [a, b] => words.say("sheet.one_of_two", &[("a", a), ("b", b)]),
             _ => String::new(),
         };
-        return range(scene, q).map_or_else(|| text.clone(), |r| format!("{text}, {}", words.get(r)));
+        let turns = || make_key::turns_forward(scene, q.label);
+        let more = range(scene, q).or_else(turns);
+        return more.map_or_else(|| text.clone(), |r| format!("{text}, {}", words.get(r)));
     }
     let mut text = match q.unit.ascii() {
         "1" => words.get("sheet.number").to_owned(),
@@ -433,9 +435,13 @@ fn form(
     }
     let both_ways = match q.label.quantity {
         Quantity::XEq if !scene.is_magnitude(q.label) => Some("sheet.stretched"),
+        Quantity::PinRadial => Some("sheet.toward_pin"),
+        Quantity::PinTangential => Some("sheet.with_angle"),
         _ => scene.may_push(q.label).then_some("sheet.pulls"),
     };
-    for phrase in both_ways.into_iter().chain(range(scene, q)) {
+    // Once is enough.
+    let unsaid = |phrase: &&str| !q.ask.contains(words.get(phrase));
+    for phrase in both_ways.into_iter().filter(unsaid).chain(range(scene, q)) {
         add(words.get(phrase));
     }
     if q.figures != common.figures {

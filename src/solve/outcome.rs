@@ -519,8 +519,11 @@ pub fn sides(
     found.ok_or(Refusal::Unsupported(Unsupported::FrictionTurns))
 }
 
-/// Joints that leave several freedoms place no body; else no way is known to place this one.
+/// Joints that leave several freedoms place no body on the way; else no way is known to place this one.
 pub fn unplaced(scene: &Scene, body: usize) -> Refusal {
+    if scene.is_still() && scene.starts_from_rest() {
+        return Refusal::Unplaced(body);
+    }
     let free: usize = scene.bodies.iter().map(|b| if b.turns { 3 } else { 2 }).sum();
     let held: usize = scene.joints.iter().map(|j| j.kind.forces().len()).sum();
     match free.saturating_sub(held) {

@@ -300,7 +300,8 @@ fn throw_checks(scene: &Scene, t: &Throw, checks: &mut Vec<Check>) {
         limit(kind, t.tie, ok, Dd::new(required), Dd::new(available))
     };
     checks.push(positive(CheckKind::StartsSlipping, t.tie, t.slip, t.slip / t.speeds));
-    if t.slips && matches!(scene.end, End::Rolling(_)) {
+    let rubs = scene.ties[t.tie].rubbing();
+    if t.slips && matches!(scene.end, End::Rolling(c) if rubs.is_some_and(|rub| rub.body == c.body)) {
         checks.push(holds(CheckKind::Closes, t.closes, t.upkeep, t.kinetic));
     }
     checks.push(match t.to_roll {

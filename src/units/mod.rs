@@ -2,6 +2,7 @@
 //!
 //! A unit has a dimension in which the radian is an axis of its own, so that a torque and an energy may be confused (SI
 //! does) but an angle and a pure number may not. The radian may be dropped: `1/s` is taken for `rad/s`.
+use crate::num::decimal::nearest;
 use std::fmt;
 use std::sync::Arc;
 
@@ -114,7 +115,7 @@ fn decimal(digits: u128, exponent: i32) -> f64 {
         let ten = TENS[exponent.unsigned_abs() as usize]; // both exact, so one rounding
         return if exponent < 0 { digits as f64 / ten } else { digits as f64 * ten };
     }
-    format!("{digits}e{exponent}").parse().unwrap_or(f64::NAN)
+    nearest(&format!("{digits}e{exponent}")).unwrap_or(f64::NAN)
 }
 
 pub(crate) const TENS: [f64; 23] = [

@@ -1,4 +1,5 @@
 //! Text to unit, or the column of the trouble.
+use crate::num::decimal::one_of;
 use crate::units::table::{PREFIXES, ROWS, UnitRow};
 use crate::units::{Dimension, Unit, UnitScale, spell};
 use std::fmt;
@@ -201,7 +202,7 @@ impl UnitReader<'_> {
             return Err(UnitFault::Stray { found, column: start + 1 });
         }
         let rest: String = self.text[self.at..].iter().filter(|c| !c.is_whitespace()).collect();
-        let rest = rest.trim_start_matches(['·', '\u{22c5}', '*']);
+        let rest = rest.trim_start_matches(one_of("·\u{22c5}*"));
         // Above a second `r` is a radian to some and a turn to others; what is right of it does not matter.
         let lower = rest.to_lowercase();
         let rest = if self.any_case { lower.as_str() } else { rest };
@@ -350,7 +351,7 @@ pub fn names() -> impl Iterator<Item = String> {
 }
 
 fn unknown(name: &str, column: usize) -> UnitFault {
-    let known: Vec<String> = names().filter(|n| !n.starts_with(['\u{b5}', '\u{3bc}'])).collect();
+    let known: Vec<String> = names().filter(|n| !n.starts_with(one_of("\u{b5}\u{3bc}"))).collect();
     let close = known.iter().find(|k| k.to_lowercase() == name.to_lowercase()).cloned();
     // Revolutions, and not one of the names that look alike.
     let close = close.or_else(|| name.eq_ignore_ascii_case("rps").then(|| "rev/s".to_owned()));

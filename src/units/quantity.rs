@@ -1,4 +1,5 @@
 //! A number with its unit, read strictly: for banks and the command line. Students' cells are read in `answer`.
+use crate::num::decimal::{leading_whole, nearest, one_of, power_of_ten};
 use crate::units::{Unit, UnitFault};
 use std::fmt;
 
@@ -51,7 +52,7 @@ struct LeadingDecimal {
 
 /// Sign (`-`, `+` or U+2212), digits with at most one point, `e` and a whole exponent.
 fn leading_decimal(text: &str) -> Option<LeadingDecimal> {
-    let unsigned = text.strip_prefix(['-', '\u{2212}']);
+    let unsigned = text.strip_prefix(one_of("-\u{2212}"));
     let negative = unsigned.is_some();
     let body = unsigned.or_else(|| text.strip_prefix('+')).unwrap_or(text);
     let bytes = body.as_bytes();
@@ -71,17 +72,12 @@ fn leading_decimal(text: &str) -> Option<LeadingDecimal> {
     if !seen {
         return None;
     }
-    let mut exponent = 0i32;
-    if matches!(bytes.get(at), Some(b'e' | b'E')) {
-        let tail = &body[at + 1..];
-        let sign = tail.starts_with(['-', '\u{2212}']);
-        let number = tail.strip_prefix(['-', '+', '\u{2212}']).unwrap_or(tail);
-        let length = number.bytes().take_while(u8::is_ascii_digit).count();
-        if length > 0 {
-            let size: i32 = number[..length].parse().unwrap_or(100_000).min(100_000);
-            exponent = if sign { -size } else { size };
-            at += 1 + (tail.len() - number.len()) + length;
-        }
+    let mut exponent = 0;
+    if matches!(bytes.get(at), Some(b'e' | b'E'))
+        && let Some((power, behind)) = leading_whole(&body[at + 1..])
+    {
+        exponent = power_of_ten(&power);
+        at = body.len() - behind.len();
     }
     let length = text.len() - body.len() + at;
     Some(LeadingDecimal { negative, digits, exponent: exponent - i32::try_from(decimals).ok()?, length })
@@ -103,7 +99,7 @@ pub fn parse_quantity(text: &str, plain: &Unit) -> Result<WrittenQuantity, Quant
     let unit =
         if rest.is_empty() { plain.clone() } else { Unit::parse(rest).map_err(QuantityFault::Unit)? };
     let written = text[..decimal.length].replace('\u{2212}', "-");
-    let number: f64 = written.parse().map_err(|_| QuantityFault::NoNumber)?;
+    let number = nearest(&written).ok_or(QuantityFault::NoNumber)?;
     let (value_si, value_scene) = match decimal.digits {
         Some(digits) if decimal.exponent.abs() < 100_000 => (
             unit.scale().apply(decimal.negative, digits, decimal.exponent),

@@ -273,6 +273,36 @@ fn a_spring_that_pushes_has_signs() {
     }
 }
 
+/// At an instant a bar that turns may be level: friction on it points right or left, as on a level floor.
+#[test]
+fn friction_on_a_bar_that_is_level_points_right_or_left() {
+    let on = |degrees: u32| {
+        let (s, c) = f64::from(degrees).to_radians().sin_cos();
+        key(
+            &format!(
+                "
+      bodies:
+        bar: {{mass: m, shape: {{rod: 1 m}}, moves: in the plane, angle: from right}}
+        block: {{mass: 2 kg, moves: in the plane, placed: [{:?} m, {:?} m]}}
+      joints:
+        O: {{pins: bar.A}}
+        x: {{slides: block, on: bar.A, mu_k: 0.2}}
+      forces: [force: {{on: block, magnitude: 3 N, direction: left}}]
+      start: {{bar: {{angle: {degrees} deg}}}}
+      end: at once",
+                0.5 * c,
+                0.5 * s
+            ),
+            "x.friction: N",
+        )
+    };
+    for (degrees, fit, misfit) in [(0, "right", "up"), (20, "up", "right")] {
+        let key = on(degrees);
+        let verdict = |word| compare(&sized(&key.parts[0], word), &key.parts[0]).verdict;
+        assert_eq!([verdict(fit), verdict(misfit)], [Verdict::Right, Verdict::Unreadable], "{degrees}");
+    }
+}
+
 /// Two words stand on the sheet beside each answer that has a sign: the one is right where its number is, the other where it
 /// is not.
 #[test]

@@ -218,6 +218,228 @@ fn a_crank_in_a_slotted_arm() {
     assert!(solved.get(label).is_some_and(|e| e.bound.is_some_and(|b| b < 1e-9)), "enclosed");
 }
 
+/// A rod that hangs on a block, or a cart, that is told to be somewhere: nothing else need say where the rod is. By Lagrange, with
+/// `M + m` to move along and `I + m d^2` to turn.
+#[test]
+fn what_hangs_on_what_is_placed() {
+    let (block, rod, d) = (2.0, 1.0, 0.25);
+    let (s, c) = 40_f64.to_radians().sin_cos();
+    let own = rod * d * d * 4.0 / 3.0;
+    let alpha = -rod * G * d * s / (own - (rod * d * c).powi(2) / (block + rod));
+    let expected = [alpha, -rod * d * c * alpha / (block + rod)];
+    let here = ", placed: [0.4 m, 0.1 m]";
+    for (rod, block) in [("", here), (here, here), ("", "")] {
+        let on_floor = format!(
+            "        block: {{mass: 2 kg, moves: in the plane{block}}}
+        rod: {{mass: 1 kg, shape: {{rod: 0.5 m}}, moves: in the plane, angle: from hanging{rod}}}"
+        );
+        let joints = "        floor: {guides: block, along: horizontal, through: [0 m, 0.1 m], pushes: up}
+        h: {hinges: [rod.A, block]}";
+        let start = "      start: {rod: {angle: 40 deg}}";
+        near(told(&on_floor, joints, start, ["rod.alpha", "block.a_x"]), expected);
+        if !block.is_empty() {
+            let on_cart = format!(
+                "        cart: {{mass: 5 kg, moves: in the plane, placed: [0 m, 0.1 m]}}\n{on_floor}"
+            );
+            let joints = "        floor: {guides: cart, along: horizontal, through: [0 m, 0.1 m], pushes: up}
+        top: {slides: block, on: cart}
+        h: {hinges: [rod.A, block]}";
+            near(told(&on_cart, joints, start, ["rod.alpha", "block.a_x"]), expected);
+        }
+    }
+}
+
+/// What both methods tell of a motion, and enclose, as a bank publishes it.
+fn proved<const N: usize>(bodies: &str, joints: &str, more: &str, names: [&str; N]) -> [f64; N] {
+    let bank = read(bodies, joints, more).unwrap_or_else(|found| panic!("{found:?}"));
+    let scene = &bank.problems[0].cases[0].scene;
+    let mut solved = agree::solve(scene, &[G]).unwrap_or_else(|e| panic!("{e:?}"));
+    assert!(agree::prove(scene, &[G], &mut solved));
+    for name in names {
+        let label = labels::named(scene, name).unwrap_or_else(|e| panic!("{name}: {e:?}"));
+        let bound = solved.get(label).and_then(|entry| entry.bound);
+        assert!(bound.is_some_and(|b| b < 1e-9), "{name} is not enclosed: {bound:?}");
+    }
+    told(bodies, joints, more, names)
+}
+
+/// A yoke without a turn in its bed goes with the crank: `x = r cos phi`. By Lagrange with `I + m r^2 sin^2` for the inertia.
+#[test]
+fn a_scotch_yoke() {
+    let (r, moment, spin) = (0.3, 2.0, 5.0);
+    let bodies = "        crank: {mass: 2 kg, shape: {rod: 0.3 m}, moves: in the plane, angle: from right}
+        yoke: {mass: 3 kg, moves: in the plane}";
+    let joints = "        O: {pins: crank.A}
+        slot: {guides: crank.B, on: yoke, along: 90 deg}
+        bed: {guides: yoke, along: horizontal}";
+    let more = |end: &str| {
+        format!(
+            "      forces: [couple: {{on: crank, moment: 2 N*m, sense: forward}}]
+      start: {{crank: {{angle: 30 deg, spin: 5 rad/s}}}}
+      end: {end}"
+        )
+    };
+    let inertia = |s: f64| 2.0 * r * r / 3.0 + 3.0 * (r * s) * (r * s);
+    let alpha = |s: f64, c: f64, omega: f64| {
+        (moment - 2.0 * G * r / 2.0 * c - 3.0 * r * r * s * c * omega * omega) / inertia(s)
+    };
+    let [(s0, c0), (s, c)] = [30_f64, 100.0].map(|degrees| degrees.to_radians().sin_cos());
+    let turn = 70_f64.to_radians();
+    let work = moment * turn - 2.0 * G * r / 2.0 * (s - s0);
+    let omega = ((inertia(s0) * spin * spin + 2.0 * work) / inertia(s)).sqrt();
+    let names = ["crank.omega", "yoke.v_x", "yoke.a_x", "slot.normal", "bed.normal"];
+    let ax = -r * s * alpha(s, c, omega) - r * c * omega * omega;
+    let found =
+        proved(bodies, joints, &more("{angle: {of: crank, reaches: 100 deg}}"), ["crank.omega", "yoke.v_x"]);
+    near(found, [omega, -r * s * omega]);
+    // The slot presses the crank to the left of its direction, which is up.
+    let end = more("{angle: {of: crank, reaches: 100 deg}}");
+    near(told(bodies, joints, &end, names), [omega, -r * s * omega, ax, 3.0 * ax, 3.0 * G]);
+    let ax = -r * s0 * alpha(s0, c0, spin) - r * c0 * spin * spin;
+    near(told(bodies, joints, &more("at once"), names), [spin, -r * s0 * spin, ax, 3.0 * ax, 3.0 * G]);
+    // To the same angle in the time that it takes.
+    let [time] = told(bodies, joints, &end, ["t"]);
+    let [again] =
+        told(bodies, joints, &more(&format!("{{time: {{of: crank, is: {time:?} s}}}}")), ["crank.omega"]);
+    near([again], [omega]);
+}
+
+/// A block in the slot of an arm and in a bed: `x = h tan phi` from where the arm is upright.
+#[test]
+fn an_arm_that_drives_a_block_in_a_bed() {
+    let (h, spin, degrees) = (0.4, 3.0, 25_f64);
+    let bodies = "        arm: {mass: 2 kg, shape: {rod: 0.8 m}, moves: in a horizontal plane, angle: from up clockwise}
+        block: {mass: 3 kg, moves: in a horizontal plane}";
+    let joints = "        O: {pins: arm.A}
+        slot: {guides: block, on: arm.A}
+        bed: {guides: block, along: horizontal, through: [0 m, 0.4 m]}";
+    let more = |more: &str| format!("      start: {{arm: {{angle: 25 deg, spin: 3 rad/s{more}}}}}");
+    let (s, c) = degrees.to_radians().sin_cos();
+    let [v, a] = [h * spin / (c * c), 2.0 * h * spin * spin * s / (c * c * c)];
+    // The force of the slot is at right angles to the arm, `h/c` from the pin.
+    let drive = 3.0 * a / c * (h / c);
+    let names = ["block.v_x", "block.a_x", "drive"];
+    near(told(bodies, joints, &more(", alpha: 0 rad/s^2"), names), [v, a, drive]);
+    let end = format!(
+        "{}\n      end: {{angle: {{of: arm, reaches: -40 deg}}}}",
+        more("").replace(": 3 rad", ": -3 rad")
+    );
+    let kinetic = |degrees: f64, omega: f64| {
+        let per = h / degrees.to_radians().cos().powi(2);
+        (2.0 * 0.64 / 3.0 + 3.0 * per * per) * omega * omega
+    };
+    let omega = (kinetic(25.0, 3.0) / kinetic(40.0, 1.0)).sqrt();
+    near(
+        proved(bodies, joints, &end, ["arm.omega", "block.v"]),
+        [omega, omega * h / 40_f64.to_radians().cos().powi(2)],
+    );
+}
+
+/// Friction beyond the end is not looked at: the block comes back in its slot after the arm's dead point, long after the time that is
+/// asked.
+#[test]
+fn a_rough_slot_up_to_a_time() {
+    let bodies = "        crank: {mass: 2 kg, shape: {rod: 0.2 m}, moves: in the plane, angle: from right}
+        arm: {mass: 3 kg, shape: {rod: 0.9 m}, moves: in the plane, angle: from right}";
+    let joints = "        O: {pins: crank.A}
+        C: {pins: arm.A, at: [0 m, -0.5 m]}
+        slot: {guides: crank.B, on: arm.A, mu_k: 0.1}";
+    let more =
+        |end: &str| format!("      start: {{crank: {{angle: 35 deg, spin: 6 rad/s}}}}\n      end: {end}");
+    let names = ["t", "crank.omega", "arm.omega"];
+    let found = told(bodies, joints, &more("{angle: {of: crank, reaches: 60 deg}}"), names);
+    for share in [1.0, 0.01] {
+        let end = more(&format!("{{time: {{of: crank, is: {:?} s}}}}", share * found[0]));
+        let again = told(bodies, joints, &end, ["crank.omega", "arm.omega"]);
+        if share == 1.0 {
+            near(again, [found[1], found[2]]);
+        }
+    }
+    // Beyond the dead point it is refused as before.
+    for end in ["{time: {of: crank, is: 0.5 s}}", "{angle: {of: crank, reaches: 200 deg}}"] {
+        let bank = read(bodies, joints, &more(end)).unwrap_or_else(|found| panic!("{found:?}"));
+        let solved = agree::solve(&bank.problems[0].cases[0].scene, &[G]);
+        assert!(matches!(solved, Err(Refusal::Unsupported(Unsupported::FrictionTurns))), "{solved:?}");
+    }
+}
+
+/// `alpha = M/(I + m R^2)` of a gear that moves a rack in its bed, and of one more that the rack turns in its turn.
+#[test]
+fn a_rack_in_a_bed() {
+    let bodies = "        gear: {mass: 3 kg, shape: {disc: 0.1 m}, moves: in the plane}
+        rack: {mass: 5 kg, moves: in the plane}
+        far: {mass: 2 kg, shape: {disc: 0.2 m}, moves: in the plane}";
+    let joints = "        O: {pins: gear.A, at: [0 m, 0.1 m]}
+        floor: {guides: rack, along: horizontal}
+        m: {meshes: gear, radius: 0.1 m, on: rack}
+        C: {pins: far.A, at: [1 m, 0.2 m]}
+        n: {meshes: far, radius: 0.2 m, on: rack}";
+    let more = |end: &str| {
+        format!(
+            "      forces: [couple: {{on: gear, moment: 3 N*m, sense: forward}}]
+      start: {{gear: {{angle: 0 deg}}}}
+      end: {end}"
+        )
+    };
+    let mass = 3.0 / 2.0 + 5.0 + 2.0 / 2.0;
+    let a = 3.0 / 0.1 / mass;
+    let names = ["rack.a_x", "gear.alpha", "far.alpha", "m.rim_force", "n.rim_force"];
+    let turn = std::f64::consts::FRAC_PI_2;
+    let end = more("{angle: {of: gear, reaches: 90 deg}}");
+    near(told(bodies, joints, &end, names), [a, a / 0.1, a / 0.2, -6.0 * a, a]);
+    let found = proved(bodies, joints, &end, ["rack.v_x", "far.omega"]);
+    let v = (2.0 * 3.0 * turn / mass).sqrt();
+    near(found, [v, v / 0.2]);
+    let [v] = told(bodies, joints, &more("{time: {of: gear, is: 0.4 s}}"), ["rack.v_x"]);
+    near([v], [0.4 * a]);
+}
+
+/// A plank gains what the centres of its rollers do twice over: `P = (M + sum of (m/4 + I/(4 R^2))) a`.
+#[test]
+fn a_plank_on_rollers() {
+    let bodies = |count: usize| {
+        let roller = |i: usize| {
+            format!(
+                "\n        r{i}: {{mass: 1 kg, shape: {{disc: 0.2 m}}, moves: in the plane, placed: [{i}.5 m, 0.2 m]}}"
+            )
+        };
+        let rollers: String = (0..count).map(roller).collect();
+        format!("        plank: {{mass: 4 kg, moves: in the plane, placed: [0 m, 0.4 m]}}{rollers}")
+    };
+    let joints = |count: usize| {
+        let roller = |i: usize| {
+            format!(
+                "        f{i}: {{rolls: r{i}, radius: 0.2 m, along: horizontal}}
+        t{i}: {{rolls: r{i}, radius: 0.2 m, on: plank, along: 180 deg}}\n"
+            )
+        };
+        (0..count).map(roller).collect::<String>()
+    };
+    for count in [1, 2] {
+        let more = |end: &str| {
+            format!(
+                "      forces: [force: {{on: plank, magnitude: 11 N, direction: right}}]
+      start: {{r0: {{angle: 0 deg}}, plank: {{speed: 0.5 m/s}}}}
+      end: {end}"
+            )
+        };
+        let (bodies, joints) = (bodies(count), joints(count));
+        let a = 11.0 / (4.0 + 0.375 * count as f64);
+        let last = format!("r{}", count - 1);
+        let names = ["plank.v_x", "plank.a_x", &format!("{last}.v_x"), &format!("{last}.alpha")];
+        for (end, v) in [
+            ("at once", 0.5),
+            ("{time: {of: r0, is: 0.5 s}}", 0.5 + 0.5 * a),
+            ("{speed: {of: r0, reaches: 5 rad/s}}", 2.0),
+            ("{angle: {of: r0, reaches: -90 deg}}", (0.25 + 2.0 * a * 0.2 * std::f64::consts::PI).sqrt()),
+        ] {
+            near(told(&bodies, &joints, &more(end), names), [v, a, v / 2.0, -a / 0.4]);
+        }
+        let end = more("{angle: {of: r0, reaches: -90 deg}}");
+        proved(&bodies, &joints, &end, ["plank.v_x", "r0.omega"]);
+    }
+}
+
 /// Schaum's Outline of Engineering Mechanics, problem 16.33: 0.544 m/s^2 and 114 N. The lower block lies on a rough floor, too: it is the
 /// friction of the upper one alone that sets it off.
 #[test]

@@ -1,31 +1,40 @@
 //! Motions in phases by formulas derived by hand for each scene: slip beside a block on a cord and to any end, two contacts that slip,
 //! two freedoms with speeds at the start, and instants with springs where something rubs.
 use slipstick::bank::{labels, load};
+use slipstick::scene::Scene;
 use slipstick::solve::agree::{prove, solve};
 use slipstick::solve::outcome::Solved;
 
 const G: f64 = 9.81;
+
+/// The mass m, and g.
+const DATA: [f64; 2] = [2.0, G];
 
 /// The values of these quantities; all checks hold, and each is enclosed.
 fn told(scene: &str, names: &[&str]) -> (Vec<f64>, Solved) {
     told_by(scene, names, true)
 }
 
-/// The same where contacts come to rest at one time, which no enclosure tells.
-fn told_by(scene: &str, names: &[&str], enclosed: bool) -> (Vec<f64>, Solved) {
+/// The scene, and what is found of it.
+fn solved(scene: &str) -> (Scene, Solved) {
     let indented: String = scene.lines().map(|l| format!("      {l}\n")).collect();
     let text = format!(
         "bank: phases\ntitle: Phases\nproblems:\n  phases:\n    title: Phases\n    data:\n      m: {{name: mass, unit: kg, draw: always 2}}\n    \
          scene:\n{indented}    questions:\n      kinetic_energy: {{ask: the kinetic energy}}\n"
     );
     let bank = load::scenes_only(&text, "phases.yaml").unwrap_or_else(|f| panic!("{f:#?}\n{text}"));
-    let scene = &bank.problems[0].cases[0].scene;
-    let data = [2.0, G];
-    let mut solved = solve(scene, &data).unwrap_or_else(|e| panic!("{e:?}\n{text}"));
-    assert!(!enclosed || prove(scene, &data, &mut solved), "{text}");
+    let scene = bank.problems[0].cases[0].scene.clone();
+    let solved = solve(&scene, &DATA).unwrap_or_else(|e| panic!("{e:?}\n{text}"));
+    (scene, solved)
+}
+
+/// The same where contacts come to rest at one time, which no enclosure tells.
+fn told_by(text: &str, names: &[&str], enclosed: bool) -> (Vec<f64>, Solved) {
+    let (scene, mut solved) = solved(text);
+    assert!(!enclosed || prove(&scene, &DATA, &mut solved), "{text}");
     assert!(solved.all_hold(), "{:?}\n{text}", solved.checks);
     let of = |name: &&str| {
-        let entry = solved.get(labels::named(scene, name).expect(name)).expect(name);
+        let entry = solved.get(labels::named(&scene, name).expect(name)).expect(name);
         assert!(!enclosed || entry.bound.is_some(), "{name} is enclosed");
         entry.value()
     };
@@ -253,4 +262,155 @@ end: {end}"
         assert!(found[1] == 0.0);
         compare(&["t", "way"], &[found[0], found[2]], &[2.0 / there, 2.0 / there]);
     }
+}
+
+/// A ball with so much backspin that it comes to rest just as its slip ends: then it stays, and nothing is left of its energy.
+#[test]
+fn a_ball_stops_as_its_slip_ends() {
+    let (t, way) = (2.0 / (0.2 * G), 4.0 / (0.4 * G));
+    let names = ["t", "v", "omega", "kinetic_energy", "displacement", "slip_distance", "heat"];
+    for (end, at) in [("{rolling: ball}", t), ("{time: {of: ball, is: 3 s}}", 3.0)] {
+        let scene = format!(
+            "surfaces: {{lane: level}}
+bodies:
+  ball: {{mass: m, shape: {{sphere: 0.1 m}}, moves: along lane}}
+ties:
+  - slips: {{body: ball, on its: rim, mu_s: 0.6, mu_k: 0.2}}
+start: {{ball: {{speed: 2 m/s, spin: -50 rad/s}}}}
+end: {end}"
+        );
+        compare(&names, &told_by(&scene, &names, false).0, &[at, 0.0, 0.0, 0.0, way, 3.5 * t, 14.0]);
+    }
+}
+
+/// The front disc comes to roll down an incline while the rear one slips more and more: the end asks for the front one alone.
+#[test]
+fn one_disc_rolls_while_the_other_slips_on_and_on() {
+    let scene = "surfaces: {hill: {slope: 30 deg}}
+bodies:
+  front: {mass: m, shape: {disc: 0.2 m}, moves: along hill}
+  rear: {mass: 3 kg, shape: {disc: 0.1 m}, moves: along hill}
+ties:
+  - slips: {body: front, on its: rim, mu_s: 0.9, mu_k: 0.5}
+  - slips: {body: rear, on its: rim, mu_s: 0.1, mu_k: 0.05}
+  - link: {from: {body: front, tied at: centre, leaves: back}, to: {body: rear, tied at: centre, leaves: forward}}
+start: {front: {speed: -2 m/s, spin: -30 rad/s}, rear: {spin: 0 rad/s}}
+end: {rolling: front}";
+    let cos = 0.75_f64.sqrt();
+    let (f, g) = (0.5 * 2.0 * G * cos, 0.05 * 3.0 * G * cos);
+    let a = -G / 2.0 - (f - g) / 5.0;
+    let (rim, rear_rim) = (2.0 * f / 2.0, -2.0 * g / 3.0);
+    let t = 4.0 / (rim - a);
+    let (slid, rear_slid) = (2.0 * t, 2.0 * t - (a - rear_rim) * t * t / 2.0);
+    let names =
+        ["t", "front.v", "front.omega", "rear.omega", "front.slip_distance", "rear.slip_distance", "heat"];
+    let v = 2.0 - a * t;
+    let expected = [t, v, v / 0.2, -rear_rim * t / 0.1, slid, rear_slid, f * slid + g * rear_slid];
+    compare(&names, &told(scene, &names).0, &expected);
+}
+
+/// A cord runs from the contact of a disc to a load: the load turns just as the slip ends, and what would then be is not asked.
+#[test]
+fn a_load_turns_as_the_slip_ends() {
+    let scene = "surfaces: {lane: level}
+bodies:
+  disc: {mass: m, shape: {disc: 0.2 m}, moves: along lane}
+  load: {mass: 1 kg, moves: vertically}
+ties:
+  - slips: {body: disc, on its: rim, mu_s: 0.1, mu_k: 0.05}
+  - cord: {from: {body: disc, wound on: rim, leaves: bottom forward}, to: {body: load, tied at: centre, leaves: up}}
+start: {disc: {speed: 1 m/s, spin: 20 rad/s}}
+end: {turning point: load}";
+    // The contact feels 2/3 of a kilogram.
+    let friction = 0.05 * 2.0 * G;
+    let tension = (G - 1.5 * friction) / 2.5;
+    let t = 3.0 / (G - tension);
+    let names = ["t", "load.v", "load.rise", "disc.v", "omega", "tension", "slip_distance"];
+    let gain = (tension + friction) / 2.0 * t;
+    let expected = [t, 0.0, 1.5 * t, 1.0 + gain, 20.0 - 2.0 * gain / 0.2, tension, 1.5 * t];
+    compare(&names, &told_by(scene, &names, false).0, &expected);
+}
+
+/// The speed with which a body starts, though another one is told, is no end: both methods see that it leaves there.
+#[test]
+fn the_speed_of_the_start_is_no_end() {
+    let (_, found) = solved(
+        "surfaces: {hill: {slope: 5 deg}}
+bodies:
+  crate: {mass: m, moves: along hill}
+  disc: {mass: 3 kg, shape: {disc: 0.45 m}, moves: along hill}
+ties:
+  - slides: {body: crate, mu_s: 0.7, mu_k: 0.35}
+  - slips: {body: disc, on its: rim, mu_s: 0.45, mu_k: 0.25}
+  - link: {from: {body: crate, tied at: centre, leaves: back}, to: {body: disc, tied at: centre, leaves: forward}}
+start: {crate: {speed: 2 m/s}, disc: {spin: 0 rad/s}}
+end: {speed: {of: disc, reaches: 2 m/s}}",
+    );
+    assert!(found.checks.iter().any(|c| c.kind.name() == "reaches" && !c.ok), "{:?}", found.checks);
+}
+
+/// Friction on a hoop leaves its top as it is: the cord from there bears nothing, and neither does what it holds.
+#[test]
+fn a_cord_at_the_centre_of_percussion_bears_nothing() {
+    let (scene, found) = solved(
+        "surfaces: {lane: level}
+bodies:
+  hoop: {mass: m, radius of gyration: 0.2 m, radii: {rim: 20 cm}, moves: along lane}
+  drum: {mass: 6.3 kg, shape: {shell: 20 cm}, radii: {rim: 200 mm, hub: 15 cm}, moves: about a fixed axle}
+  disc: {mass: 15.4 kg, shape: {disc: 470 mm}, radii: {hub: 150 mm}, moves: along lane}
+ties:
+  - slips: {body: hoop, on its: rim, mu_s: 0.57, mu_k: 0.17}
+  - slips: {body: disc, on its: hub, mu_s: 0.54, mu_k: 0.14}
+  - cord: {name: rope, from: {body: hoop, wound on: rim, leaves: top forward}, to: {body: drum, wound on: rim, leaves: front up}}
+  - cord: {from: {body: drum, wound on: hub, leaves: top back}, to: {body: disc, tied at: centre, leaves: forward}}
+start: {hoop: {spin: 13.6 rad/s}, disc: {speed: 0.6 m/s, spin: 4 rad/s}}
+end: {time: {of: hoop, is: 0.5 s}}",
+    );
+    for name in ["rope.tension", "disc.friction", "drum.alpha"] {
+        assert!(found.get(labels::named(&scene, name).expect(name)).expect(name).value() == 0.0, "{name}");
+    }
+}
+
+/// A crate at the end of a cord that a hoop lets off as fast as it goes on: it starts at rest, whatever the last digits of the printed
+/// radii, and stays; so the hoop comes to rest as its slip ends.
+#[test]
+fn what_the_ties_leave_at_rest_starts_at_rest() {
+    let scene = |end: &str| {
+        format!(
+            "surfaces: {{lane: level}}
+bodies:
+  hoop: {{mass: m, shape: {{hoop: 0.1 m}}, radii: {{rim: 0.1 m, hub: 0.05 m}}, moves: along lane}}
+  crate: {{mass: 3 kg, moves: along lane}}
+ties:
+  - slips: {{body: hoop, on its: rim, mu_s: 0.6, mu_k: 0.2}}
+  - slides: {{body: crate, mu_s: 0.3, mu_k: 0.2}}
+  - cord: {{from: {{body: hoop, wound on: hub, leaves: top back}}, to: {{body: crate, tied at: centre, leaves: forward}}}}
+start: {{hoop: {{speed: -1 m/s, spin: 20 rad/s}}}}
+end: {end}"
+        )
+    };
+    let friction = 0.2 * 2.0 * G;
+    let t = 1.0 / (0.3 * friction);
+    let names = ["t", "hoop.v", "omega", "crate.v", "hoop.displacement", "tension", "crate.friction", "heat"];
+    let ended = |at: f64, held: f64| [at, 0.0, 0.0, 0.0, -0.5 * t, held, -held, friction * 1.5 * t];
+    let held = 0.4 * friction;
+    compare(&names, &told_by(&scene("{rolling: hoop}"), &names, false).0, &ended(t, held));
+}
+
+/// A ball that is pulled off its lane is told by the check of what presses it there, as anywhere.
+#[test]
+fn what_is_lifted_off_is_told_by_its_check() {
+    let (_, found) = solved(
+        "surfaces: {lane: level}
+bodies:
+  ball: {mass: m, shape: {sphere: 0.1 m}, radii: {rim: 0.1 m}, moves: along lane}
+ties:
+  - slips: {body: ball, on its: rim, mu_s: 0.9, mu_k: 0.2}
+  - cord: {from: {body: ball, wound on: rim, leaves: bottom forward, at an angle: 60 deg}, pulled with: 30 N}
+start: {ball: {speed: 5 m/s, spin: 0 rad/s}}
+end: {time: {of: ball, is: 1 s}}",
+    );
+    let pressed = found.checks.iter().find(|c| c.kind.name() == "pressed").expect("it lies on a surface");
+    let normal = 2.0 * G - 30.0 * 0.75_f64.sqrt();
+    assert!(!pressed.ok && (pressed.available - normal).abs() < 1e-12, "{pressed:?}");
 }

@@ -1396,6 +1396,70 @@ fn without_pdf_one_line_says_how_to_get_it() {
     assert!(!Path::new(&room.path("set")).exists());
 }
 
+/// Where no word gives the sign, a sheet says what it means, once; and which turn is forward.
+#[test]
+fn sheets_say_what_a_sign_means_without_a_word() {
+    let room = Room::new(&CLASS[..1]);
+    room.write(
+        "bank.yaml",
+        "bank: b
+title: B
+cond limit: 1000
+problems:
+  p:
+    title: P
+    data: {m: {name: mass, unit: kg, draw: always 3}}
+    scene:
+      bodies: {B: {mass: m, shape: {rod: 1 m}, pinned: at its end, angle: from upright}}
+      start: {B: {angle: 30 deg, spin: 8 rad/s}}
+      end: at once
+    questions:
+      pin_radial: {ask: along, unit: N}
+      pin_tangential: {ask: 'across, positive in the sense of a growing angle', unit: N}
+    statement: '{{ m }} and so on'
+  q:
+    title: Q
+    data: {m: {name: mass, unit: kg, draw: always 3}}
+    scene:
+      bodies:
+        D: {mass: m, radius of gyration: 0.2 m, radii: {rim: 0.3 m}, moves: about a fixed axle}
+      ties:
+      - cord: {from: {body: D, wound on: rim, leaves: top forward}, pulled with: 5 N}
+      start: at rest
+      end: {turn: {of: D, by: 2 rad}}
+    questions: {direction: {ask: direction}}
+    statement: '{{ m }} and so on'
+",
+    );
+    for (language, said) in [
+        (
+            "en",
+            [
+                "`1.pin_radial`, in\u{a0}N, positive toward the pin\n",
+                "`1.pin_tangential`, in\u{a0}N\n",
+                "`2.direction`, `forward` or `back`, a clockwise turn is `forward`",
+            ],
+        ),
+        (
+            "de",
+            [
+                "`1.pin_radial`, in\u{a0}N, positiv zum Lager hin\n",
+                "`1.pin_tangential`, in\u{a0}N, positiv im Sinn eines wachsenden Winkels\n",
+                "eine Drehung im Uhrzeigersinn ist `vorwärts`",
+            ],
+        ),
+    ] {
+        let [bank, roster, out] = ["bank.yaml", "roster.csv", language].map(|name| room.path(name));
+        let all = ["generate", &bank, "--roster", &roster, "--seed", "1", "--out", &out, "--format", "md"];
+        let ran = run(&[&all[..], &["--language", language]].concat());
+        assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
+        let sheet = room.read(&format!("{language}/students/0017/sheet.md"));
+        for words in said {
+            assert!(sheet.contains(words), "{words}: {sheet}");
+        }
+    }
+}
+
 #[test]
 fn sheets_and_feedback_in_german() {
     let room = Room::new(&CLASS[..1]);

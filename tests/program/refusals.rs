@@ -1097,9 +1097,53 @@ end: at once";
             FOUR_BAR
                 .replace("  B: {hinges: [coupler.B, rocker.B]}", "  B: {hinges: [coupler.B, crank.A]}")
                 .replace("coupler", "one"),
-            "the joints do not place `one` on the way: a body is placed that leads, is welded, or is pinned or hinged to what has a place and either guided at another point, by a cord or a light rod too, or hinged there to a second such body; a wheel that an arm carries about the axis of a cylinder `meshes` with it",
+            "the joints do not place `one` on the way: a body is placed that leads, is welded, or is pinned or hinged to what has a place and either guided at another point, by a cord or a light rod too, or by a slot of it, or hinged there to a second such body; one that does not turn moves in a bed and by a slot, or by a wheel that rolls on it; a wheel that an arm carries about the axis of a cylinder `meshes` with it",
         ),
     ];
+    let slotted = |start: &str, end: &str| {
+        format!(
+            "bodies:
+  crank: {{mass: 2 kg, shape: {{rod: x}}, moves: in the plane, angle: from right}}
+  arm: {{mass: 3 kg, shape: {{rod: 0.9 m}}, moves: in the plane, angle: from right}}
+joints:
+  O: {{pins: crank.A}}
+  C: {{pins: arm.A, at: [0 m, -0.3 m]}}
+  slot: {{guides: crank.B, on: arm.A}}
+start: {{crank: {{angle: {start} deg}}}}
+end: {end}"
+        )
+    };
+    let folds = "two hinged rods come to lie in one line on the way, or a rod lies across its guide, or the point in a slot comes to the pin of its arm: from there the linkage can go on in two ways, and it is not followed; let the motion end before";
+    let hanging = |cart: &str, block: &str| {
+        format!(
+            "bodies:
+  cart: {{mass: 5 kg, moves: in the plane{cart}}}
+  block: {{mass: 2 kg, moves: in the plane{block}}}
+  crank: {{mass: 1 kg, shape: {{rod: x}}, moves: in the plane, angle: from hanging}}
+joints:
+  floor: {{guides: cart, along: horizontal, pushes: up}}
+  top: {{slides: block, on: cart}}
+  h: {{hinges: [crank.A, block]}}
+start: {{crank: {{angle: 40 deg}}}}
+end: at once"
+        )
+    };
+    let here = ", placed: [0 m, 0 m]";
+    let cases = cases.into_iter().chain([
+        (
+            slotted("270", "at once"),
+            "nothing says at the start which way a body at the joint `C` lies: two places that give it its direction are one, such as the point in a slot at the pin of the arm; change the lengths or the angle at the start",
+        ),
+        (slotted("200", "{angle: {of: crank, reaches: 270 deg}}"), folds),
+        (
+            hanging("", here),
+            "nothing says where `cart` is: no joint puts it beside what has a place; give it `placed: [x, y]`, where its axis begins",
+        ),
+        (
+            hanging(here, ""),
+            "nothing says where `crank` is: no joint puts it beside what has a place; give it `placed: [x, y]`, where its axis begins",
+        ),
+    ]);
     for (scene, text) in cases {
         assert_eq!(says(&scene).trim_end(), format!("error: p: {text}"), "{scene}");
     }

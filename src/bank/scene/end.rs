@@ -36,11 +36,11 @@ fn in_plane(body: &Body) -> String {
 
 #[rustfmt::skip] // a table
 const ENDS: [(&str, EndForm); 13] = [
-    ("travel", EndForm::Value("by", "d", &Need::LENGTH, &Need::TURN, End::Travel)),
-    ("turn", EndForm::Value("by", "phi", &Need::TURN, &Need::TURN, End::Travel)),
-    ("position", EndForm::Value("at", "s", &Need::PLACE, &Need::PLACE, End::Position)),
-    ("time", EndForm::Value("is", "t1", &Need::TIME, &Need::TIME, End::Time)),
-    ("speed", EndForm::Value("reaches", "v1", &Need::SPEED_REACHED, &Need::SPIN_REACHED, End::Speed)),
+    ("travel", EndForm::Value("by", "d", Need::LENGTH, Need::TURN, End::Travel)),
+    ("turn", EndForm::Value("by", "phi", Need::TURN, Need::TURN, End::Travel)),
+    ("position", EndForm::Value("at", "s", Need::PLACE, Need::PLACE, End::Position)),
+    ("time", EndForm::Value("is", "t1", Need::TIME, Need::TIME, End::Time)),
+    ("speed", EndForm::Value("reaches", "v1", Need::SPEED_REACHED, Need::SPIN_REACHED, End::Speed)),
     ("turning point", EndForm::Body(|b, body| {
         End::TurningPoint(Coordinate { body, degree: if b.line.is_some() { Degree::Along } else { Degree::Turn } })
     })),
@@ -49,7 +49,7 @@ const ENDS: [(&str, EndForm); 13] = [
         true => End::Rolling(along(body)),
         false => End::TurningPoint(along(body)),
     })),
-    ("angle", EndForm::Value("reaches", "phi1", &Need::ANGLE, &Need::ANGLE, End::Angle)),
+    ("angle", EndForm::Value("reaches", "phi1", Need::ANGLE, Need::ANGLE, End::Angle)),
     ("rise", EndForm::Height(true)),
     ("descent", EndForm::Height(false)),
     ("unwinds", EndForm::Unwinds),
@@ -181,7 +181,7 @@ impl SceneReader<'_> {
         let line = body.and_then(|b| bodies[b].line);
         let turning = word == "turn" || (body.is_some() && line.is_none());
         let degree = if turning { Degree::Turn } else { Degree::Along };
-        let need = *if turning { in_turning } else { along };
+        let need = if turning { in_turning } else { along };
         let number = self.need_number(&mut fields, by, example, need);
         let heading_node = fields.get("heading");
         let heading = heading_node.map_or(Some(None), |n| {

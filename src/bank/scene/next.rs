@@ -73,23 +73,15 @@ impl SceneReader<'_> {
         if let Value::Map(fields) = &mut whole.value {
             fields.retain(|(key, _)| key.text() != Some("next"));
         }
-        let (touches, any) = (self.touches.borrow().len(), self.any.borrow().len());
         let mut next = self.scene(&whole, gravity)?;
         if !WHOLE {
             take_over(first, &mut next, gravity + 1);
             return Some(next);
         }
+        let met = self.met.borrow();
         let open = [
-            (
-                touches + self.touches.borrow().len() > 0,
-                "`touches` does not say whether it rolls",
-                "write `rolls` or `slips`",
-            ),
-            (
-                any + self.any.borrow().len() > 0,
-                "`any` gives no value",
-                "write a value or a datum in its place",
-            ),
+            (!met.touches.is_empty(), "`touches` does not say whether it rolls", "write `rolls` or `slips`"),
+            (!met.any.is_empty(), "`any` gives no value", "write a value or a datum in its place"),
         ];
         if let Some((_, what, hint)) = open.into_iter().find(|(is, ..)| *is) {
             return f.refuse_with(

@@ -6,6 +6,7 @@ use crate::bank::need::Need;
 use crate::bank::node::{Fields, Node, Value, WHOLE, shorten};
 use crate::bank::scene::{DatumUse, SceneReader};
 use crate::finding::told;
+use crate::num::decimal::one_of;
 use crate::num::formula::{Formula, Step};
 use crate::scene::{Derived, Given, Num};
 use crate::units::spell;
@@ -27,11 +28,11 @@ impl SceneReader<'_> {
     }
 
     /// A speed or a spin at the start: 0 where its datum is not there.
-    pub(super) fn at_start(&self, node: &Node, need: Need) -> Option<Num> {
+    pub(super) fn at_start(&self, node: &Node, need: &Need) -> Option<Num> {
         if self.absent(node) { Some(Num::Fixed(0.0)) } else { self.number(node, need) }
     }
 
-    pub(super) fn number(&self, node: &Node, need: Need) -> Option<Num> {
+    pub(super) fn number(&self, node: &Node, need: &Need) -> Option<Num> {
         let f = self.faults;
         let Some(text) = node.text().map(str::trim) else {
             let hint = told!("a symbol of the data, or a constant such as `{}`", need.example);
@@ -48,7 +49,7 @@ impl SceneReader<'_> {
                 let hint = told!("{} has a unit such as {}", need.words, need.unit);
                 return f.refuse_with(node, message, hint);
             }
-            self.uses.borrow_mut().push(DatumUse { datum, need });
+            self.met.borrow_mut().uses.push(DatumUse { datum, need: *need });
             return Some(Num::Datum(datum));
         }
         if is_expression(text) {
@@ -81,7 +82,7 @@ impl SceneReader<'_> {
     }
 
     /// A number that no datum enters, if its use admits it.
-    pub(super) fn constant(&self, node: &Node, text: &str, value: f64, need: Need) -> Option<Num> {
+    pub(super) fn constant(&self, node: &Node, text: &str, value: f64, need: &Need) -> Option<Num> {
         match need.admits(value) {
             Ok(()) => Some(Num::Fixed(value)),
             Err(message) => self.faults.refuse(node, told!("`{}`: {message}", shorten(text))),
@@ -89,7 +90,7 @@ impl SceneReader<'_> {
     }
 
     /// A mass or a radius that cancels: 1 in its unit, which is proved to make no difference.
-    pub(super) fn any(&self, node: &Node, need: Need) -> Option<Num> {
+    pub(super) fn any(&self, node: &Node, need: &Need) -> Option<Num> {
         let text = match need.words {
             words if words == Need::MASS.words => "m",
             words if words == Need::RADIUS.words => "R",
@@ -102,12 +103,12 @@ impl SceneReader<'_> {
         let mut derived = self.derived.borrow_mut();
         derived.push(Derived { formula, degrees: false, text: text.to_owned(), any: true });
         let number = Num::Derived(derived.len() - 1);
-        self.any.borrow_mut().push(AnyNumber { node: node.clone(), number });
+        self.met.borrow_mut().any.push(AnyNumber { node: node.clone(), number });
         Some(number)
     }
 
     /// A number that is worked out from data, such as `2*R` or `-w0`, and the dimension that it has.
-    pub(super) fn derived(&self, node: &Node, text: &str, need: Need, wanted: Exponents) -> Option<Num> {
+    pub(super) fn derived(&self, node: &Node, text: &str, need: &Need, wanted: Exponents) -> Option<Num> {
         let f = self.faults;
         let lookup = |name: &str| -> Result<(Name, Exponents), (String, Option<String>)> {
             if name == "g" {
@@ -141,9 +142,8 @@ impl SceneReader<'_> {
             let hint = told!("{} has the dimension {}", need.words, measure::powers_text(wanted));
             return f.refuse_with(node, message, hint);
         }
-        let mut uses = self.uses.borrow_mut();
         let symbols = data.iter().filter(|i| own(**i).is_some());
-        uses.extend(symbols.map(|datum| DatumUse { datum: *datum, need: Need::TERM }));
+        self.met.borrow_mut().uses.extend(symbols.map(|datum| DatumUse { datum: *datum, need: *Need::TERM }));
         let powers = |i: usize| {
             let given = || own(i)?.unit.as_ref().map(measure::powers);
             let powers = if i == self.gravity { Some(measure::own_powers("m/s^2")) } else { given() };
@@ -183,7 +183,7 @@ impl SceneReader<'_> {
         fields: &mut Fields,
         name: &'static str,
         example: &'static str,
-        need: Need,
+        need: &Need,
     ) -> Option<Num> {
         fields.need(name, example).and_then(|n| self.number(n, need))
     }
@@ -194,7 +194,7 @@ impl SceneReader<'_> {
         &self,
         fields: &mut Fields,
         name: &'static str,
-        need: Need,
+        need: &Need,
     ) -> Option<Option<Num>> {
         fields.get(name).map_or(Some(None), |n| self.number(n, need).map(Some))
     }
@@ -212,7 +212,7 @@ impl SceneReader<'_> {
 
     /// A length over a pure number or another length, as the way or the angle at which a motion ends: the divisor, and whether it is
     /// a length that stands there without its unit.
-    pub(super) fn over(&self, node: &Node, by: Option<(String, bool)>, need: Need) -> Option<Num> {
+    pub(super) fn over(&self, node: &Node, by: Option<(String, bool)>, need: &Need) -> Option<Num> {
         let text = node.text().map(str::trim)?;
         let known = is_expression(text) || self.symbols.iter().any(|s| s.name == text);
         // A text that is no number is a finding of the reader of numbers.
@@ -238,17 +238,17 @@ impl SceneReader<'_> {
 
 /// Is it to be worked out, and no symbol alone and no constant with its unit (`4 kg*m^2`, `-2 m/s`)?
 fn is_expression(text: &str) -> bool {
-    let signless = text.trim_start_matches(['-', '+']).trim_start();
+    let signless = text.trim_start_matches(one_of("-+")).trim_start();
     let number = |c: char| c.is_ascii_digit() || c == '.';
     if !signless.starts_with(number) {
-        return text.contains(['+', '-', '*', '/', '^', '(', '·']);
+        return text.contains(one_of("+-*/^(·"));
     }
     let rest = signless.trim_start_matches(number);
     // A power of ten belongs to the number.
-    let ten = rest.strip_prefix(['e', 'E']).map(|r| r.trim_start_matches(['+', '-']));
+    let ten = rest.strip_prefix(one_of("eE")).map(|r| r.trim_start_matches(one_of("+-")));
     let rest = match ten {
         Some(digits) if digits.starts_with(|c: char| c.is_ascii_digit()) => digits.trim_start_matches(number),
         _ => rest,
     };
-    rest.trim_start().starts_with(['+', '-', '*', '/', '^', '·'])
+    rest.trim_start().starts_with(one_of("+-*/^·"))
 }

@@ -319,7 +319,7 @@ impl SceneReader<'_> {
         let mut reversed = false;
         if let (Some(pushes), Some(node)) = (pushes, pushes_node) {
             // The normal force is positive to the left of the direction.
-            match (line.fixed_deg(bodies), line.direction_deg, pushes) {
+            match (line.fixed_deg(bodies, false), line.direction_deg, pushes) {
                 (Some(in_space), own, pushes) => {
                     let (sine, cosine) = crate::num::trig::sin_cos_degrees(in_space);
                     let [x, y] = pushes.components();
@@ -435,7 +435,7 @@ impl SceneReader<'_> {
     }
 
     /// Natural length of a spring, or its stretch at the start: in the plane that may be negative.
-    pub(super) fn natural(&self, node: &Node, fields: &mut Fields, stretch: Need) -> Option<Rest> {
+    pub(super) fn natural(&self, node: &Node, fields: &mut Fields, stretch: &Need) -> Option<Rest> {
         match (fields.get("natural length"), fields.get("stretch")) {
             (Some(n), None) => self.number(n, Need::LENGTH).map(Rest::Length),
             (None, Some(n)) => self.number(n, stretch).map(Rest::Stretch),

@@ -26,13 +26,13 @@ impl SceneReader<'_> {
 
     /// Notes a radius as used.
     pub(super) fn winds_on(&self, radius: Num) {
-        let mut uses = self.uses.borrow_mut();
+        let uses = &mut self.met.borrow_mut().uses;
         match radius {
-            Num::Datum(datum) => uses.push(DatumUse { datum, need: Need::RADIUS }),
+            Num::Datum(datum) => uses.push(DatumUse { datum, need: *Need::RADIUS }),
             Num::Derived(at) => {
                 let derived = self.derived.borrow();
                 let given = derived.get(at).into_iter().flat_map(|n| n.formula.names());
-                uses.extend(given.map(|g| DatumUse { datum: g.datum, need: Need::TERM }));
+                uses.extend(given.map(|g| DatumUse { datum: g.datum, need: *Need::TERM }));
             }
             Num::Fixed(_) => {}
         }
@@ -155,7 +155,7 @@ impl SceneReader<'_> {
         let mu_s = self.need_number(&mut fields, "mu_s", "mu_s", Need::FRICTION);
         let mu_k = self.need_number(&mut fields, "mu_k", "mu_k", Need::FRICTION);
         if word == "touches" {
-            let mut touches = self.touches.borrow_mut();
+            let touches = &mut self.met.borrow_mut().touches;
             touches.push((tie, mu_k?));
             if !self.touching.slips(touches.len() - 1) {
                 return Some(Tie::Roll { body: body?, radius_m: radius?, mu_s: Some(mu_s?) });
@@ -178,7 +178,7 @@ impl SceneReader<'_> {
         }
         let mut growth = Growth { of, law, rate: Num::Fixed(0.0), unit: Num::Fixed(1.0) };
         let need = Need::growth(growth.rate_unit(), matches!(of, GivenForce::Couple(_)));
-        if let Some(number) = rate.and_then(|n| self.number(&n, need)) {
+        if let Some(number) = rate.and_then(|n| self.number(&n, &need)) {
             growth.rate = number;
             self.growths.borrow_mut().push(growth);
         }

@@ -2,8 +2,8 @@
 use crate::num::Real;
 use crate::num::half::Half;
 use crate::scene::pose::{
-    Arc, Guided, Held, Known, Layout, MET, Pose, Step, Steps, Track, axis, direction, dot, ground, left,
-    less, of_spot, off, parallel,
+    Arc, Guided, Held, Known, Layout, Line, MET, Pose, Step, Steps, Track, axis, direction, dot, from_origin,
+    ground, left, less, of_spot, off, parallel, plus, sense, times,
 };
 use crate::scene::{Branch, JointKind, Planar, Spot, Straight, Surface, pose};
 use smallvec::SmallVec;
@@ -94,22 +94,111 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
         })
     }
 
-    /// The line on which a body rolls.
-    fn rolls(&self, body: usize) -> Option<Track<T>> {
+    /// A line on which a body rolls, and on which this place lies: it is fixed, or a body carries it that has a place and does not turn.
+    fn rolls(&self, body: usize) -> impl Iterator<Item = Track<T>> {
         let layout = self.layout;
-        layout.scene.joints.iter().enumerate().find_map(|(joint, j)| match j.kind {
-            JointKind::Contact {
-                at,
-                radius_m,
-                surface: Surface::Line(Straight { on: None, through_m, .. }),
-                rolls: true,
-                ..
-            } if at.body == body => {
-                let through = ground(layout.n, through_m);
-                let radius = layout.n.get(radius_m);
-                Some(Track { joint, at: self.spot(at), through, unit: layout.lines[joint], radius })
+        layout.scene.joints.iter().enumerate().filter_map(move |(joint, j)| {
+            let (at, radius, Surface::Line(line)) = j.kind.surface()? else { return None };
+            let (through, unit, with) = self.line(joint, line)?;
+            let rolls = at.body == body && j.kind.rolls()[0] && with.is_none();
+            let (at, radius) = (self.spot(at), layout.n.get(radius));
+            rolls.then_some(Track { joint, at, through, unit, radius })
+        })
+    }
+    /// A point of a body that has a place.
+    fn of(&self, spot: Spot) -> Option<Known<T>> {
+        self.placed[spot.body].then(|| Known::Of(spot.body, self.spot(spot)))
+    }
+    /// The direction of an axis that does not turn.
+    fn still(&self, body: usize) -> Option<[T; 2]> {
+        let planar = self.planar(body)?;
+        (!self.layout.scene.bodies[body].turns).then(|| planar.from.components().map(T::of))
+    }
+    /// A place on a line, its direction, and the body that carries it, if that turns; `None` if it has no place.
+    fn line(&self, joint: usize, line: Straight) -> Option<(Known<T>, [T; 2], Option<usize>)> {
+        let unit = self.layout.lines[joint];
+        let Some(on) = line.on else {
+            return Some((Known::Fixed(ground(self.layout.n, line.through_m)), unit, None));
+        };
+        let through = self.of(on)?;
+        Some(match self.still(on.body) {
+            Some(axis) => (through, from_origin(axis, unit), None),
+            None => (through, unit, Some(on.body)),
+        })
+    }
+
+    /// Two lines on which the origin of a body lies that does not turn, or on which the centre of a wheel does.
+    fn crossing(&self, body: usize) -> Option<[Line<T>; 2]> {
+        let (layout, zero) = (self.layout, [T::zero(); 2]);
+        let origin = self.still(body);
+        let mut lines: SmallVec<[Line<T>; 4]> = SmallVec::new();
+        for (joint, j) in layout.scene.joints.iter().enumerate() {
+            let Some((at, radius, Surface::Line(line))) = j.kind.surface() else { continue };
+            let ([rolls, teeth], radius) = (j.kind.rolls(), layout.n.get(radius));
+            if at.body == body && !teeth {
+                // Its point is a radius to the left of the line.
+                let Some((through, unit, with)) = self.line(joint, line) else { continue };
+                let own = origin.map_or(zero, |axis| from_origin(axis, self.spot(at)));
+                let normal = left(unit);
+                let to = [(normal, through), (zero, through)];
+                lines.push(Line { normal, own, to, far: radius, turn: T::zero(), with });
+            } else if let Some(on) = line.on.filter(|on| on.body == body)
+                && let (Some(axis), Some(known)) = (origin, self.of(at))
+            {
+                let (own, unit) = (from_origin(axis, self.spot(on)), from_origin(axis, layout.lines[joint]));
+                let line = |normal, far, turn| {
+                    let to = [(normal, known), (zero, known)];
+                    Line { normal, own, to, far, turn, with: None }
+                };
+                if !teeth {
+                    lines.push(line(left(unit), -radius, T::zero()));
+                }
+                if rolls && at.body == layout.lead {
+                    // It goes ahead of a wheel that turns to the left.
+                    lines.push(line(unit, -layout.starts[joint], radius * self.turn()?));
+                }
             }
-            _ => None,
+        }
+        // A wheel between two lines turns as far on the one as on the other.
+        let mut tracks = self.rolls(body);
+        if let (Some(one), Some(other)) = (tracks.next(), tracks.next()) {
+            let per = [&one, &other].map(|track| T::of(1.0) / track.radius);
+            let [ahead, back] = [times(one.unit, per[0]), times(other.unit, -per[1])];
+            let far = layout.starts[one.joint] * per[0] - layout.starts[other.joint] * per[1];
+            let normal = [ahead[0] + back[0], ahead[1] + back[1]];
+            let to = [(ahead, one.through), (back, other.through)];
+            lines.push(Line { normal, own: zero, to, far, turn: T::zero(), with: None });
+        }
+        lines.iter().enumerate().find_map(|(i, one)| {
+            let meets =
+                |o: &&Line<T>| one.with.is_some() || o.with.is_some() || !parallel(one.normal, o.normal);
+            lines[i + 1..].iter().find(meets).map(|other| [*one, *other])
+        })
+    }
+    /// How far the leading body turns to the left on its way.
+    fn turn(&self) -> Option<T> {
+        Some(self.layout.ratio().signed(sense(self.planar(self.layout.lead)?)))
+    }
+
+    /// Where the axis of a body begins at the start, if that is told.
+    fn placed(&self, body: usize) -> Option<[T; 2]> {
+        Some(ground(self.layout.n, self.planar(body)?.origin_m?))
+    }
+    /// Direction of the axis of a body at the start, if that is told.
+    fn started(&self, body: usize) -> Option<[T; 2]> {
+        let told = || {
+            let planar = self.planar(body)?;
+            Some(axis(planar, &Half::of_degrees(self.layout.n.get(planar.start_deg?))))
+        };
+        self.still(body).or_else(told)
+    }
+    /// A point of a body that is hinged to another one of which is told where it is at the start, and where that point is.
+    fn beside_placed(&self, body: usize) -> Option<([T; 2], [T; 2])> {
+        self.layout.scene.joints.iter().find_map(|joint| {
+            let JointKind::Hinge { one, other, .. } = joint.kind else { return None };
+            let (own, to) = if one.body == body { (one, other) } else { (other, one) };
+            let (origin, axis) = (self.placed(to.body)?, self.started(to.body)?);
+            (own.body == body).then(|| (self.spot(own), plus(origin, from_origin(axis, self.spot(to)))))
         })
     }
 
@@ -125,20 +214,23 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
             let [c, s] = axis(planar, &layout.start);
             [c * ahead - s * aside, s * ahead + c * aside]
         };
-        let origin = planar.origin_m.map(|place| ground(layout.n, place)).or_else(|| {
+        let origin = self.placed(body).or_else(|| {
             // Guides that are parallel leave open where along them it is: nothing hangs on that.
-            let one =
-                one.as_ref().filter(|one| other.as_ref().is_some_and(|o| parallel(one.unit, o.unit)))?;
-            Some(less(one.through, turned(one.at)))
+            let one = one.as_ref().filter(|one| other.as_ref().is_some_and(|o| parallel(one.unit, o.unit)));
+            let beside = one.map(|one| (one.at, one.through));
+            let (at, place) = beside.or_else(|| self.beside_placed(body))?;
+            Some(less(place, turned(at)))
         });
         let from = |through, unit| origin.map_or_else(T::zero, |place| dot(less(place, through), unit));
         let step = if let Some(arc) = &layout.arc {
             let JointKind::Contact { at, .. } = layout.scene.joints[arc.joint].kind else { return None };
             Step::Arc(self.spot(at))
-        } else if let (Some(track), None) = (self.rolls(body), held) {
+        } else if let (Some(track), None) = (self.rolls(body).next(), held)
+            && let Known::Fixed(through) = track.through
+        {
             // Where it is told where its axis begins, its centre is so far ahead of that.
             let ahead = origin.map_or_else(T::zero, |_| dot(turned(track.at), track.unit));
-            Step::Wheel(track, from(track.through, track.unit) + ahead)
+            Step::Wheel(track, from(through, track.unit) + ahead)
         } else {
             match (held, one, other, origin) {
                 (Some(held), ..) => Step::Leads(held),
@@ -240,29 +332,32 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
             return Some(step);
         }
         let held = self.held(body);
-        let place = || Some(Known::Fixed(ground(self.layout.n, planar.origin_m.filter(|_| self.at_start)?)));
-        let placed = || Some(Held { at: [T::zero(); 2], place: place()? });
-        if !scene.bodies[body].turns {
-            return Some(Step::Still(held.or_else(placed)?, planar.from.components().map(T::of)));
+        let place = || self.placed(body).filter(|_| self.at_start);
+        let placed = || Some(Held { at: [T::zero(); 2], place: Known::Fixed(place()?) });
+        if let Some(axis) = self.still(body) {
+            return match held.or_else(placed) {
+                Some(held) => Some(Step::Still(held, axis)),
+                None => Some(Step::Crosses([T::zero(); 2], self.crossing(body)?, None, axis)),
+            };
         }
-        let start = || {
-            axis(planar, &Half::of_degrees(planar.start_deg.map_or_else(T::zero, |x| self.layout.n.get(x))))
-        };
-        if self.at_start && planar.start_deg.is_some() {
+        if self.at_start
+            && let Some(start) = self.started(body)
+        {
             // What leads elsewhere moves it: its own angle is known at the start alone.
-            return Some(Step::Still(held.or_else(placed)?, start()));
+            return Some(Step::Still(held.or_else(placed)?, start));
+        }
+        let start = || self.started(body).unwrap_or_else(|| axis(planar, &Half::of_degrees(T::zero())));
+        if let Some(track) = self.rolls(body).next() {
+            let central = |held: &Held<T>| off(track.at, held.at) == 0.0;
+            // From where it rolls is not known before what holds it has its place at the start.
+            match held.or_else(placed).filter(central) {
+                Some(held) if self.at_start => return Some(Step::Still(held, start())),
+                Some(held) => return Some(Step::Rolls(held, track, start())),
+                None if self.at_start || held.is_some() => {}
+                None => return Some(Step::Crosses(track.at, self.crossing(body)?, Some(track), start())),
+            }
         }
         let held = held?;
-        if let Some(track) = self.rolls(body)
-            && track.at[0].same(held.at[0])
-            && track.at[1].same(held.at[1])
-        {
-            // From where it rolls is not known before what holds it has its place at the start.
-            return Some(match self.at_start {
-                true => Step::Still(held, start()),
-                false => Step::Rolls(held, track, start()),
-            });
-        }
         if let Some(ratio) = self.orbits(body, &held) {
             return Some(Step::Orbits(held, ratio, start()));
         }

@@ -174,7 +174,7 @@ impl<T: Real> Account<T> {
     }
     /// First place at which the speed is `u`.
     pub fn where_speed(&self, u: T) -> Option<T> {
-        let need = (self.doubled * (u - self.u0) * (u + self.u0)).scale2(-1);
+        let need = (self.doubled * u.apart(self.u0) * (u + self.u0)).scale2(-1);
         if need.is_zero() {
             return Some(T::zero());
         }

@@ -16,13 +16,13 @@ use smallvec::{SmallVec, smallvec};
 
 /// `sum m v v' + I w w'` of two modes: twice the kinetic energy if they are the same.
 pub fn inertia<T: Real>(n: &Numbers<T>, a: &Mode<T>, b: &Mode<T>) -> T {
-    let mut sum = T::zero();
+    let mut sum: T = T::zero();
     for (i, body) in n.bodies.iter().enumerate() {
         let moving = body.mass * a.v[i] * b.v[i];
         let spinning = body.inertia * a.w[i] * b.w[i];
         sum = sum
-            + plant!("energy: kinetic energy of the mass centre", moving)
-            + plant!("energy: kinetic energy of rotation", spinning);
+            .settled(plant!("energy: kinetic energy of the mass centre", moving))
+            .settled(plant!("energy: kinetic energy of rotation", spinning));
     }
     sum
 }

@@ -503,9 +503,11 @@ impl<'a, T: Real> Account<'a, T> {
                     let at = 3 * body;
                     row[at] = row[at] + u[0];
                     row[at + 1] = row[at + 1] + u[1];
-                    row[at + 2] = row[at + 2]
-                        + plant!("energy: turn about the origin of the axis", about(poses, body, r, u))
-                        + rim;
+                    if self.scene.bodies[body].turns {
+                        row[at + 2] = row[at + 2]
+                            + plant!("energy: turn about the origin of the axis", about(poses, body, r, u))
+                            + rim;
+                    }
                 };
                 for (spot, u, rim) in ends {
                     end(spot.body, pose::of_spot(self.scene, self.n, *spot), *u, *rim);

@@ -260,11 +260,11 @@ fn frictions<T: Real>(kinetic: &[Option<T>]) -> PerTie<T> {
 
 /// `sum rate_j mode_j`.
 fn combine<T: Real>(bodies: usize, modes: &[Mode<T>], rates: &[T]) -> Mode<T> {
-    let mut sum = Mode::still(bodies);
+    let mut sum: Mode<T> = Mode::still(bodies);
     for (mode, rate) in modes.iter().zip(rates) {
         for b in 0..bodies {
-            sum.v[b] = sum.v[b] + *rate * mode.v[b];
-            sum.w[b] = sum.w[b] + *rate * mode.w[b];
+            sum.v[b] = sum.v[b].balance(*rate * mode.v[b]);
+            sum.w[b] = sum.w[b].balance(*rate * mode.w[b]);
         }
     }
     sum

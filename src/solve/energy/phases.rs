@@ -110,10 +110,6 @@ impl<T: Real> Phases<T> {
         let mut now =
             Follower { scene, n, pulls, kinetic, sense: 0.0, turned: false, gone: zero, spent: zero };
         let mut all = Self { legs: SmallVec::new(), ended: false, rolled: SmallVec::new(), sense: 0.0 };
-        let pressed = |(_, rub): (_, Rubbing)| balance::normal(scene, n, rub.body).not_negative();
-        if !at_once && !now.rubbing().all(pressed) {
-            return Err(Refusal::Unsupported(Unsupported::SlidesInTurn));
-        }
         let (mut held, mut needs) = now.onset(&from, &mut all.rolled)?;
         let first = now.kinetic.clone();
         loop {
@@ -248,7 +244,7 @@ impl<T: Real> Follower<'_, '_, T> {
             let (gain, size) = (plant!("energy: impulse in a mode", power * time), size * time.size());
             let Some(from) = had else { return (gain, size) };
             let had = plant!("energy: momentum of a mode", balance::inertia(self.n, mode, from));
-            (had.balance(gain), had.size() + size)
+            (had.settled(gain), had.size() + size)
         })
     }
     /// The velocities after a time. What gains nothing goes on as it is, whatever the rounding of a start that fits the ties.
@@ -397,7 +393,7 @@ impl<T: Real> Follower<'_, '_, T> {
             without[t] = Some(T::zero());
             let (power, _) = self.power(&without, &struck);
             let doubled = balance::inertia(self.n, &struck, &struck) / unit.square();
-            let loss = friction.abs().balance(-(power / unit).signed(slip0.sign()));
+            let loss = friction.balance(power / unit).signed(-slip0.sign());
             if loss.sign() > 0.0 {
                 let energy = plant!("energy: energy of the slip", doubled * slip0.square()).scale2(-1);
                 let way = energy / loss;

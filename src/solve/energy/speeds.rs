@@ -30,7 +30,7 @@ impl<T: Real> Mode<T> {
     }
     /// Both motions at once.
     pub fn plus(&self, other: &Self) -> Self {
-        let sum = |a: &[T], b: &[T]| a.iter().zip(b).map(|(a, b)| a.balance(*b)).collect();
+        let sum = |a: &[T], b: &[T]| a.iter().zip(b).map(|(a, b)| a.settled(*b)).collect();
         Self { v: sum(&self.v, &other.v), w: sum(&self.w, &other.w) }
     }
     /// Puts a coordinate to rest.
@@ -151,8 +151,8 @@ pub fn at_start<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Mode<T>, Refus
         if open.contains(&columns[i]) && !columns[..i].contains(&columns[i]) {
             let part = |j: usize| *v * reduced.in_mode(columns[i], j);
             for b in 0..scene.bodies.len() {
-                motion.v[b] = motion.v[b].balance(part(2 * b));
-                motion.w[b] = motion.w[b].balance(part(2 * b + 1));
+                motion.v[b] = motion.v[b].settled(part(2 * b));
+                motion.w[b] = motion.w[b].settled(part(2 * b + 1));
             }
         }
     }

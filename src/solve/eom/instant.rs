@@ -161,7 +161,7 @@ fn struck<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Struck<T>, Refusal> 
         if let Some(blow) = blow(at, &blows)? {
             let impulse = missing / blow.own();
             for (v, b) in out.velocities.iter_mut().zip(&blow.velocities) {
-                *v = v.balance(impulse * *b);
+                *v = v.settled(impulse * *b);
             }
             out.energy = out.energy + plant!("eom: work of an impulse", impulse * missing).scale2(-1);
             blows.push(blow);

@@ -207,6 +207,8 @@ enum Why {
     Speed,
     /// This joint no longer pushes.
     Leaves(usize),
+    /// A point that rubs turns back in its guide, or presses on its other side: not before here, or as if it had not.
+    Turns,
 }
 
 /// What the equations of motion say of what is asked in a scene of joined bodies; with the state at its end from the steps of a
@@ -590,6 +592,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let end = self.over((T::zero(), self.variable(far)), self.from, timely, &mut visit)?;
         let half_square = end.unwrap_or(self.from).half_square;
         let stop = found.unwrap_or(Stop { way: far, half_square, why: Why::Far, time: None, slowest: 1.0 });
+        if stop.why == Why::Turns && !timely {
+            return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
+        }
         Ok(Stop { time, slowest: passes.share, ..stop })
     }
 
@@ -657,7 +662,12 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 None => !panel.slides_on.get(i).copied().unwrap_or(true),
             };
             if turned {
-                return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
+                // How long it goes on is looked at as far as it can be: where the end comes before, what is beyond it is not asked.
+                let moves = panel.squares.iter().all(|y| y.sign() > 0.0);
+                let (x, half_square) = if moves { (b, panel.last.half_square) } else { (before, square) };
+                let time = (moves && panel.uneven <= 1.0).then(|| rule.mean(&panel.times));
+                let way = self.way(x).0;
+                return Ok(Some(Stop { way, half_square, why: Why::Turns, time, slowest: 1.0 }));
             }
             if let Some((x, why)) = first {
                 let share = (x - a) / (b - a);
@@ -922,6 +932,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 None => self.time(stop.way, stop.why == Why::Rest)?,
             };
             most = Some(until);
+            if stop.why == Why::Turns && !t.below(until) {
+                return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
+            }
             if t.side(until) == 0.0 {
                 (stop.why, stop.time) = (Why::Far, most);
             } else if t.below(until) {

@@ -305,6 +305,17 @@ fn equilibrium<T: Real>(scene: &Scene, n: &Numbers<T>, springs: &mut [Spring<T>]
     springs.iter_mut().zip(rest).for_each(|(spring, rest)| spring.rest = Some(rest));
 }
 
+/// What the end of a motion in this sense asks for, in its own measure: a way, a time or a speed.
+fn measure<T: Real>(scene: &Scene, n: &Numbers<T>, sense: f64) -> Option<T> {
+    match scene.end {
+        End::Travel(_, way) => Some(n.get(way)),
+        End::Position(_, place) => Some(n.get(place).signed(sense)),
+        End::Time(_, time) => Some(n.get(time)),
+        End::Speed(_, speed) => Some(n.get(speed).abs()),
+        _ => None,
+    }
+}
+
 /// Responses with one slipping contact taken as rolling.
 type Rolled<T> = Vec<(usize, Response<T>)>;
 
@@ -772,13 +783,8 @@ impl<'a, T: Real> Walk<'a, T> {
         let mut count = Count::default();
         let Some(mut phases) = self.phases.take() else { return Ok((self.road, count)) };
         let wrong_way = self.goes_wrong(phases.sense);
-        let (asked, begins) = match self.scene.end {
-            End::Time(_, t) => (Some(self.n.get(t)), T::zero()),
-            End::Travel(_, d) => (Some(self.n.get(d)), T::zero()),
-            End::Position(_, x) => (Some(self.n.get(x).signed(phases.sense)), T::zero()),
-            End::Speed(_, u) => (Some(self.n.get(u).abs()), self.v0.abs()),
-            _ => (None, T::zero()),
-        };
+        let asked = measure(self.scene, &self.n, phases.sense);
+        let begins = if matches!(self.scene.end, End::Speed(..)) { self.v0.abs() } else { T::zero() };
         let farthest = phases.farthest();
         if let (Some((rung, _)), true) = (self.by.filter(|_| STEPS), phases.ended) {
             count = phases.stepped(rung)?;
@@ -965,26 +971,17 @@ impl<'a, T: Real> Walk<'a, T> {
 
     /// What the event asks for, in its own measure, and the distance at which it comes.
     fn asked(&self, travel: &Travel<'_, T>, turning: Option<T>, sense: f64) -> (Option<T>, Option<T>) {
-        match self.scene.end {
-            End::Travel(_, d) => (Some(self.n.get(d)), Some(self.n.get(d))),
-            End::Position(_, x) => {
-                let s = self.n.get(x).signed(sense);
-                (Some(s), Some(s))
+        let asked = measure(self.scene, &self.n, sense);
+        let s = match self.scene.end {
+            End::Time(..) => {
+                let in_time = |t: &T| turning.is_none_or(|s| travel.at(s).time.reaches(*t));
+                asked.filter(in_time).map(|t| travel.after(t))
             }
-            End::Time(_, t) => {
-                let t = self.n.get(t);
-                let in_time = turning.is_none_or(|s| travel.at(s).time.reaches(t));
-                (Some(t), in_time.then(|| travel.after(t)))
-            }
-            End::Speed(_, u) => {
-                let u = self.n.get(u).abs();
-                (Some(u), travel.reaching(u))
-            }
-            End::TurningPoint(_) => (None, turning),
-            End::AtOnce | End::Angle(..) | End::Rolling(_) | End::Leaves(_) | End::Equilibrium => {
-                (None, None)
-            }
-        }
+            End::Speed(..) => asked.and_then(|u| travel.reaching(u)),
+            End::TurningPoint(_) => turning,
+            _ => asked,
+        };
+        (asked, s)
     }
 
     /// The farthest that the motion goes, in the measure of the event.
@@ -1016,7 +1013,7 @@ impl<'a, T: Real> Walk<'a, T> {
             let scale = if scale == 0.0 { normal.size() } else { scale };
             let needed = self.needed(t).map_or(friction.abs(), |later| later.larger(friction.abs()));
             self.say_scaled(FrictionIfRolled, of, friction.signed(self.up(body)), scale);
-            self.say(MuRequired, of, needed.over(normal));
+            self.say_scaled(MuRequired, of, needed.over(normal), scale / normal.size());
             let available = self.n.get(mu_s) * normal;
             let [along, turn] = [Degree::Along, Degree::Turn]
                 .map(|degree| self.acceleration(Coordinate { body, degree }, pulls));
@@ -1070,7 +1067,7 @@ impl<'a, T: Real> Walk<'a, T> {
             to_roll: ends_it
                 || last
                 || phases.through.is_some() && !phases.ended
-                || time.zip(until).is_some_and(|(t, until)| until.below(t)),
+                || time.zip(until).is_some_and(|(t, until)| until.status(t) < 0.0),
             times: time.map(|t| (t.f64(), until.map_or(f64::INFINITY, T::f64))),
             at_end: ends.then(|| (v.size(), start.size() + (v - start).size())),
             slip: slip0.size(),
@@ -1149,8 +1146,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 Tie::Roll { body, mu_s, .. } => {
                     let most = forces.iter().map(|f| f.abs()).reduce(T::larger).unwrap_or_else(T::zero);
                     let normal = self.response.normal(*body);
-                    let surface = self.scene.bodies[*body].line.is_some_and(|l| l.surface);
-                    if surface {
+                    if self.scene.bodies[*body].line.is_some_and(|l| l.surface) {
                         self.say(Quantity::MuRequired, Owner::Body(*body), most.over(normal));
                     }
                     self.hold(|walk| {

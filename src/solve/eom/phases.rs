@@ -17,7 +17,7 @@ use crate::scene::{Coordinate, Degree, End, Numbers, Scene, Tie};
 use crate::solve::eom::equations::{self, CONSTANT, Needs, Response, Setting, respond};
 use crate::solve::eom::instant::{self, Each};
 use crate::solve::eom::travel::{Leg, Travel};
-use crate::solve::eom::{Gone, Rolled, under};
+use crate::solve::eom::{Gone, Rolled, measure, under};
 use crate::solve::method::Rung;
 use crate::solve::outcome::{Refusal, Unsupported};
 use smallvec::{SmallVec, smallvec};
@@ -107,9 +107,6 @@ impl<'a, T: Real> Phases<'a, T> {
             ends: Each::new(),
             after: None,
         };
-        if scene.end != End::AtOnce && !all.is_pressed(n) {
-            return Err(Refusal::Unsupported(Unsupported::SlidesInTurn));
-        }
         let (mut setting, mut response, mut needs) = all.onset(n, &speeds, pulls)?;
         let first = setting.clone();
         let mut starts = T::zero();
@@ -173,25 +170,24 @@ impl<'a, T: Real> Phases<'a, T> {
             // At rest by the definition of the event, not by what rounding leaves.
             all.ends[i] = T::zero();
         }
-        // What never comes to rest: as if it held at the start.
-        for (t, tie) in scene.ties.iter().enumerate() {
-            if matches!(tie, Tie::Slip { .. }) && all.rolled.iter().all(|(known, _)| *known != t) {
-                let mut setting = first.clone();
-                setting.holds[t] = true;
-                let response = respond(scene, n, &setting)?;
-                if response.is_open(t) {
-                    return Err(Refusal::Unsupported(Unsupported::SlipShared));
-                }
-                all.rolled.push((t, response));
-            }
-        }
+        all.if_held(n, &first)?;
         Ok(all)
     }
 
-    /// Is everything that could rub pressed on its surface?
-    fn is_pressed(&self, n: &Numbers<T>) -> bool {
-        let normals = equations::normals(self.scene, n);
-        self.scene.ties.iter().filter_map(Tie::rubbing).all(|rub| normals[rub.body].not_negative())
+    /// What never comes to rest: as if it held at the start.
+    fn if_held(&mut self, n: &Numbers<T>, first: &Setting) -> Result<(), Refusal> {
+        for (t, tie) in self.scene.ties.iter().enumerate() {
+            if matches!(tie, Tie::Slip { .. }) && self.rolled.iter().all(|(known, _)| *known != t) {
+                let mut setting = first.clone();
+                setting.holds[t] = true;
+                let response = respond(self.scene, n, &setting)?;
+                if response.is_open(t) {
+                    return Err(Refusal::Unsupported(Unsupported::SlipShared));
+                }
+                self.rolled.push((t, response));
+            }
+        }
+        Ok(())
     }
 
     fn of(&self, values: &[T], body: usize, degree: Degree) -> T {
@@ -333,7 +329,7 @@ impl<'a, T: Real> Phases<'a, T> {
             rub.map(|rub| (rub.radius_m.is_some(), leg.holds[t]))
         };
         let [v, a] = [&leg.speeds, &leg.rates].map(|of| self.of(of, end.body, end.degree));
-        if self.sense == 0.0 {
+        if self.sense == 0.0 && !self.ended {
             self.sense = if v.is_zero() { a.sign() } else { v.sign() };
         }
         match self.scene.end {
@@ -357,12 +353,11 @@ impl<'a, T: Real> Phases<'a, T> {
         let legs = [Leg { from: T::zero(), f: a.signed(sense), w2: None }];
         let travel = Travel { u0: v.abs(), legs: &legs };
         let turning = travel.turning();
+        let asked = measure(self.scene, n, sense);
         let s = match self.scene.end {
-            End::Travel(_, d) => Some(n.get(d) - self.gone),
-            End::Position(_, x) => Some(n.get(x).signed(sense) - self.gone),
-            End::Speed(_, u) => travel.reaching(n.get(u).abs()),
+            End::Speed(..) => asked.and_then(|u| travel.reaching(u)),
             End::TurningPoint(_) => turning,
-            _ => None,
+            _ => asked.map(|s| s - self.gone),
         };
         let s = s.filter(|s| s.not_negative() && turning.is_none_or(|turning| s.at_most(turning)));
         let time = s.map(|s| travel.at(s).time).filter(by_then);
@@ -516,6 +511,6 @@ enum Stop {
 impl<T: Real> Phase<T> {
     /// The velocities after a time.
     fn after(&self, time: T) -> Each<T> {
-        self.speeds.iter().zip(&self.rates).map(|(v, a)| v.balance(*a * time)).collect()
+        self.speeds.iter().zip(&self.rates).map(|(v, a)| v.settled(*a * time)).collect()
     }
 }

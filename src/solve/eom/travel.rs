@@ -157,7 +157,7 @@ impl<T: Real> Travel<'_, T> {
 
     /// Least distance at which the speed is `u`; `None` if it is never reached.
     pub fn reaching(&self, u: T) -> Option<T> {
-        let change = u.square() - self.u0.square();
+        let change = u.apart(self.u0) * (u + self.u0);
         if change.is_zero() {
             return Some(T::zero());
         }
