@@ -82,17 +82,17 @@ fn less<X: Copy + Sub<Output = X>>(a: [X; 2], b: [X; 2]) -> [X; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
 fn times<T: Real, X: Followed<T>>(a: [X; 2], by: T) -> [X; 2] {
-    a.map(|x| x.by(by))
+    [a[0].by(by), a[1].by(by)]
 }
 fn scaled<X: Copy + Mul<Output = X>>(a: [X; 2], by: X) -> [X; 2] {
-    a.map(|x| x * by)
+    [a[0] * by, a[1] * by]
 }
 fn dot<X: Copy + Add<Output = X> + Mul<Output = X>>(a: [X; 2], b: [X; 2]) -> X {
     a[0] * b[0] + a[1] * b[1]
 }
 /// A vector of this length along a fixed direction.
 fn along_unit<T: Real, X: Followed<T>>(unit: [T; 2], length: X) -> [X; 2] {
-    unit.map(|u| length.by(u))
+    [length.by(unit[0]), length.by(unit[1])]
 }
 /// The component along a fixed direction.
 fn component<T: Real, X: Followed<T>>(a: [X; 2], unit: [T; 2]) -> X {
@@ -156,7 +156,7 @@ fn left<X: Copy + Neg<Output = X>>(a: [X; 2]) -> [X; 2] {
     [-a[1], a[0]]
 }
 fn fixed<T: Real, X: Followed<T>>(a: [T; 2]) -> [X; 2] {
-    a.map(X::still)
+    [X::still(a[0]), X::still(a[1])]
 }
 
 /// A distance along the axis.
@@ -171,12 +171,12 @@ pub fn along<T: Real>(n: &Numbers<T>, place: Place) -> T {
 pub fn of_spot<T: Real>(scene: &Scene, n: &Numbers<T>, spot: Spot) -> [T; 2] {
     let planar = scene.bodies[spot.body].planar.as_ref();
     let place = planar.and_then(|p| p.points.get(spot.point));
-    place.map_or_else(|| [T::zero(); 2], |(_, place)| place.map(|x| along(n, x)))
+    place.map_or_else(|| [T::zero(); 2], |(_, [ahead, aside])| [along(n, *ahead), along(n, *aside)])
 }
 
 /// A fixed place.
 pub fn ground<T: Real>(n: &Numbers<T>, place: [Num; 2]) -> [T; 2] {
-    place.map(|x| n.get(x))
+    [n.get(place[0]), n.get(place[1])]
 }
 
 /// Unit vector along a direction in degrees, counter-clockwise from the right.
@@ -243,9 +243,8 @@ const fn sense(planar: &Planar) -> f64 {
 /// of it.
 fn turning<T: Real, X: Followed<T>>(direction: [T; 2], rate: T, second: T) -> [X; 2] {
     let across = left(direction);
-    [0, 1].map(|i| {
-        X::with(direction[i], || [across[i] * rate, across[i] * second - direction[i] * rate.square()])
-    })
+    let of = |here: T, across: T| X::with(here, || [across * rate, across * second - here * rate.square()]);
+    [of(direction[0], across[0]), of(direction[1], across[1])]
 }
 
 /// A direction turned counter-clockwise by an angle.
@@ -753,10 +752,12 @@ impl<'a, T: Real> Layout<'a, T> {
             let planar = self.scene.planar(body)?;
             let told = self.n.get(planar.start_deg?);
             let from = planar.from.components().map(T::of);
-            let lies = trig::angle(from[0] * pose.axis[1] - from[1] * pose.axis[0], dot(from, pose.axis));
-            let lies = lies.signed(sense(planar)).f64().to_degrees();
             let apart = off(pose.axis, axis(planar, &Half::of_degrees(told)));
-            (apart > MET).then(|| (body, [told.f64(), lies]))
+            (apart > MET).then(|| {
+                let across = from[0] * pose.axis[1] - from[1] * pose.axis[0];
+                let lies = trig::angle(across, dot(from, pose.axis)).signed(sense(planar));
+                (body, [told.f64(), lies.f64().to_degrees()])
+            })
         })
     }
     /// The first body that is too short, or too long, for the places that hold it.
