@@ -2,7 +2,7 @@
 //! catalogue of misconceptions, by the same id.
 use crate::bank::asked::AskedContext;
 use crate::bank::expression::{Exponents, Expression, Name};
-use crate::bank::node::{Faults, Fields, Node, WHOLE, items, named, shorten};
+use crate::bank::node::{Faults, Fields, Node, WHOLE, items, known_as, named, shorten};
 use crate::bank::scene::{self, DatumSymbol, Touching};
 use crate::bank::{Datum, Follow, Mistake, Question, asked, inverse, labels, measure};
 use crate::finding::told;
@@ -65,27 +65,14 @@ fn mistake(id: &str, key: &Node, node: &Node, context: &Context, faults: &Faults
     for (symbol, key, value) in
         data_node.map_or_else(Vec::new, |n| named(n, "changed data by symbol", faults))
     {
-        let index = context.data.iter().position(|d| d.symbol == symbol);
-        let expression = expression(value, context, false, faults);
-        match (index, expression) {
-            (Some(i), Some(e)) => data.push((i, e)),
-            (None, _) => {
-                let names = context.data.iter().map(|d| d.symbol.as_str());
-                faults.maybe(
-                    key,
-                    told!("`{}` is no symbol of the data", shorten(symbol)),
-                    spell::did_you_mean(symbol, names),
-                );
-            }
-            _ => {}
-        }
+        let known = context.data.iter().map(|d| d.symbol.as_str());
+        let index = known_as(symbol, key, "symbol of the data", known, faults);
+        data.extend(index.zip(expression(value, context, false, faults)));
     }
     let mut values = Vec::new();
     for (name, key, value) in values_node.map_or_else(Vec::new, |n| named(n, "values by quantity", faults)) {
         let label = label(name, key, context, faults);
-        if let (Some(label), Some(e)) = (label, expression(value, context, false, faults)) {
-            values.push((label, e));
-        }
+        values.extend(label.zip(expression(value, context, false, faults)));
     }
     let of = of_node.and_then(|n| items(n, "a list of quantities", faults)).unwrap_or_default();
     let of = of.iter().filter_map(|i| label(i.text().unwrap_or(""), i, context, faults)).collect();
@@ -100,12 +87,7 @@ fn mistake(id: &str, key: &Node, node: &Node, context: &Context, faults: &Faults
 fn cases(node: &Node, context: &Context, faults: &Faults) -> Vec<usize> {
     let index = |item: &Node| {
         let name = item.text().unwrap_or("").trim();
-        let found = context.cases.iter().position(|case| case.name == name);
-        if found.is_none() {
-            let hint = spell::did_you_mean(name, context.cases.iter().map(|case| case.name));
-            faults.maybe(item, told!("`{}` is no case of this problem", shorten(name)), hint);
-        }
-        found
+        known_as(name, item, "case of this problem", context.cases.iter().map(|case| case.name), faults)
     };
     items(node, "a list of cases", faults).unwrap_or_default().iter().filter_map(index).collect()
 }

@@ -345,3 +345,18 @@ pub fn some_named<'n>(
     }
     named(node, what, faults)
 }
+
+/// The place of a name among those that are known; `what` it would be is told of one that is not.
+pub fn known_as<'s>(
+    name: &str,
+    node: &Node,
+    what: &str,
+    known: impl Iterator<Item = &'s str> + Clone,
+    faults: &Faults,
+) -> Option<usize> {
+    let found = known.clone().position(|one| one == name);
+    if found.is_none() {
+        faults.maybe(node, told!("`{}` is no {what}", shorten(name)), spell::did_you_mean(name, known));
+    }
+    found
+}

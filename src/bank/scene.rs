@@ -2,7 +2,7 @@
 use crate::bank::any::AnyNumber;
 use crate::bank::measure;
 use crate::bank::need::Need;
-use crate::bank::node::{Faults, Fields, Node, Value, WHOLE, items, named, shorten, some_named};
+use crate::bank::node::{Faults, Fields, Node, Value, WHOLE, items, known_as, named, shorten, some_named};
 use crate::finding::told;
 use crate::scene::{
     AsIf, Body, Carrier, Coordinate, Couple, Degree, Derived, End, Formulas, GivenForce, Growth, Line, Mass,
@@ -323,7 +323,10 @@ impl SceneReader<'_> {
                 Value::Map(_) => Fields::open(value, "a slope", self.faults).and_then(|mut fields| {
                     let slope = fields.need("slope", "theta");
                     // One that cannot be read is some incline, along which bodies move up and down.
-                    let degrees = |n| Slope::Degrees(self.number(n, Need::SLOPE).unwrap_or(Num::Fixed(1.0)));
+                    let degrees = |n| match self.number(n, Need::SLOPE) {
+                        Some(Num::Fixed(0.0)) => Slope::Level,
+                        degrees => Slope::Degrees(degrees.unwrap_or(Num::Fixed(1.0))),
+                    };
                     slope.filter(|n| !self.absent(n)).map(degrees)
                 }),
                 _ => self.word(
@@ -776,11 +779,8 @@ impl SceneReader<'_> {
         }
         let mut list = Vec::new();
         for (name, key, value) in named(node, "bodies with their speeds", f) {
-            let Some(body) = bodies.iter().position(|b| b.name == name) else {
-                let hint = spell::did_you_mean(name, bodies.iter().map(|b| b.name.as_str()));
-                f.maybe(key, told!("`{}` is no body of this scene", shorten(name)), hint);
-                continue;
-            };
+            let known = bodies.iter().map(|b| b.name.as_str());
+            let Some(body) = known_as(name, key, "body of this scene", known, f) else { continue };
             let Some(mut fields) = Fields::open(value, "a speed, such as `{speed: v0}`", f) else { continue };
             if bodies[body].particles.is_empty() {
                 let angled = bodies[body].planar.is_some();

@@ -736,7 +736,9 @@ fn joint_forces(view: &SceneView, plane: &PlaneLayout, laid: &[Laid], body: usiz
                         );
                     }
                 }
-                JointKind::Cord { place_m, .. } => {
+                JointKind::Cord { place_m, beyond, .. } => {
+                    let place_m =
+                        beyond.filter(|(to, _)| to.body == body).map_or(place_m, |(_, place)| place);
                     let far = vec2(view.of(place_m[0]), view.of(place_m[1])) * plane.scale;
                     forces.push(force(at, found(Quantity::Tension), (far - at).unit(), name(j, "T")));
                 }

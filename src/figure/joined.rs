@@ -430,6 +430,11 @@ fn fixed_places(scene: &Scene) -> impl Iterator<Item = [Num; 2]> {
         JointKind::Pin { place_m, .. } | JointKind::Cord { place_m, .. } => Some(place_m),
         _ => None,
     });
+    let beyond = scene.joints.iter().filter_map(|joint| match joint.kind {
+        JointKind::Cord { beyond, .. } => beyond.map(|(_, place_m)| place_m),
+        _ => None,
+    });
+    let held = held.chain(beyond);
     held.chain(scene.pushes.iter().filter_map(|push| push.toward_m))
 }
 
@@ -745,7 +750,16 @@ fn held(board: &mut Board, view: &SceneView, plane: &PlaneLayout, joint: &Joint)
                 }
             }
         }
-        JointKind::Cord { at, place_m, rod } => {
+        JointKind::Cord { at, place_m, beyond: Some((to, last_m)), .. } => {
+            let ends = [(at, place_m), (to, last_m)].map(|(spot, place)| {
+                let pulley = ground(view, place) * plane.scale;
+                board.line(plane.spot(view, &plane.start, spot), pulley, Role::Cord);
+                pulley
+            });
+            board.line(ends[0], ends[1], Role::Cord);
+            ends.into_iter().for_each(|pulley| small_pulley(board, pulley));
+        }
+        JointKind::Cord { at, place_m, beyond: None, rod } => {
             let (near, far) = (plane.spot(view, &plane.start, at), ground(view, place_m) * plane.scale);
             if rod {
                 board.line(near, far, Role::Body);
@@ -1019,6 +1033,11 @@ fn radius_line(board: &mut Board, view: &SceneView, centre: Vec2, radius_m: Num,
     board.label(vec![view.label(radius_m, "m")], Role::Dimension, (LabelTie::Clear, 5.0), spots);
 }
 
+fn small_pulley(board: &mut Board, at: Vec2) {
+    board.circle(at, 5.0, Role::Body);
+    board.dot(at);
+}
+
 /// Forces, couples and the spin at the start.
 fn loads(board: &mut Board, view: &SceneView, plane: &PlaneLayout) {
     for push in &view.scene.pushes {
@@ -1027,8 +1046,7 @@ fn loads(board: &mut Board, view: &SceneView, plane: &PlaneLayout) {
         if let Some(place) = push.toward_m {
             let pulley = ground(view, place) * plane.scale;
             board.line(at, pulley, Role::Cord);
-            board.circle(pulley, 5.0, Role::Body);
-            board.dot(pulley);
+            small_pulley(board, pulley);
         }
         let tip = at + towards * 56.0;
         board.arrow(at, tip, Role::Force);
@@ -1225,7 +1243,14 @@ impl Teller<'_, '_> {
                 };
                 self.say(what, &[("point", &point), ("radius", &radius), ("on", &on)])
             }
-            JointKind::Cord { at, place_m, rod } => {
+            JointKind::Cord { at, place_m, beyond: Some((to, last_m)), .. } => {
+                let what = if last_m == place_m { "cord_over" } else { "cord_over_both" };
+                let [place, last] = [place_m, last_m].map(|place| self.place(place));
+                let names =
+                    [("point", self.called(at)), ("place", place), ("last", last), ("to", self.called(to))];
+                self.say(what, &names.each_ref().map(|(name, text)| (*name, text.as_str())))
+            }
+            JointKind::Cord { at, place_m, beyond: None, rod } => {
                 let what = if rod { "rod" } else { "cord" };
                 self.say(what, &[("point", &self.called(at)), ("place", &self.place(place_m))])
             }

@@ -50,27 +50,21 @@ pub struct Rule {
 
 static SHORT: LazyLock<Rule> = LazyLock::new(|| Rule::new(NODES));
 
-/// A panel, and the shares below which the last coefficients of a rate, and of what is summed over its way, are smooth on it.
-type Panels = (LazyLock<Rule>, f64, f64);
-
-/// Longer panels for what is smooth on a long way and costs much to look at: in numbers of 32 digits, and in doubles.
-static LONG: [Panels; 2] =
-    [(LazyLock::new(|| Rule::new(40)), 1e-18, SMOOTH), (LazyLock::new(|| Rule::new(32)), 1e-12, SMOOTH)];
-/// Panels of which only the end counts, in doubles: there even a rate is exact up to twice their degree. The time is not, and what is
+/// A longer panel for numbers of 32 digits that are smooth on a long way and cost much to look at. Where coefficients fall
+/// geometrically to a share of 10^-D, a long way takes fewest nodes in panels of D ln 10 of them.
+static LONG: LazyLock<Rule> = LazyLock::new(|| Rule::new(40));
+/// A panel of which only the end counts, in doubles: there even a rate is exact up to twice its degree. The time is not, and what is
 /// published of it has to be.
-static ENDING: Panels = (LazyLock::new(|| Rule::new(18)), 5e-8, 5e-8);
+static ENDING: LazyLock<Rule> = LazyLock::new(|| Rule::new(18));
 
 /// The panel with which numbers of this type are as smooth as they can be told to be on the longest way; the shares below which the
-/// last coefficients of a rate are smooth on it, and those of what is summed.
+/// last coefficients of a rate are smooth on it, and those of what is summed over its way.
 pub fn long<T: Real>() -> (&'static Rule, f64, f64) {
-    shares(&LONG[usize::from(T::is_double())])
+    if T::is_double() { (&SHORT, 1e-12, SMOOTH) } else { (&LONG, 1e-18, SMOOTH) }
 }
 /// The same of a panel of which only the end counts.
 pub fn ending<T: Real>() -> (&'static Rule, f64, f64) {
-    if T::is_double() { shares(&ENDING) } else { long::<T>() }
-}
-fn shares((rule, rate, sum): &'static Panels) -> (&'static Rule, f64, f64) {
-    (rule, *rate, *sum)
+    if T::is_double() { (&ENDING, 5e-8, 5e-8) } else { long::<T>() }
 }
 
 /// The nodes of a panel, as shares of it, ascending.
@@ -200,7 +194,7 @@ pub fn integral<T: Real, E: From<Unsettled>>(
     SHORT.integral(&mut f, (a, b), 0.0)
 }
 
-/// The same with longer panels.
+/// The same with the panels of [`long`].
 ///
 /// Errors: those of [`integral`].
 pub fn long_integral<T: Real, E: From<Unsettled>>(

@@ -290,10 +290,10 @@ impl<T: Real> Factors<T> {
     /// Makes room for a matrix of zeros, to be filled.
     pub fn room(&mut self, size: usize) {
         self.size = size;
+        self.cells.clear();
         self.cells.resize(size * size, T::zero());
         self.filled.clear();
         self.filled.resize(size, 0);
-        self.cells.chunks_exact_mut(size.max(1)).for_each(|row| row.fill(T::zero()));
     }
     /// Adds to a cell.
     pub fn add(&mut self, row: usize, col: usize, value: T) {
@@ -360,21 +360,23 @@ impl<T: Real> Factors<T> {
     /// Puts the solution in the place of a right-hand side. What is nothing beside the terms that made it is 0.
     pub fn solve(&self, right: &mut [T]) {
         // What is left of each side, with the magnitudes of its terms.
-        let mut rests: SmallVec<[(T, f64); 12]> = SmallVec::with_capacity(self.size);
+        let mut rests: SmallVec<[(T, f64); 12]> = smallvec![(T::zero(), 0.0); self.size];
+        // As slices: a small vector asks at each access where it lies.
+        let (rests, order) = (&mut rests[..], &self.order[..]);
         // The unknowns that are other than 0.
         let mut some = 0_u64;
-        for (r, row) in self.order.iter().copied().enumerate() {
+        for (r, row) in order.iter().copied().enumerate() {
             let cells = &self.cells[row * self.size..][..self.size];
             let (mut sum, mut size) = (right[row], right[row].size());
             for c in places(self.filled[row] & some) {
                 let term = cells[c] * rests[c].0;
                 (sum, size) = (sum - term, size + term.size());
             }
-            rests.push((sum, size));
+            rests[r] = (sum, size);
             some |= u64::from(!sum.is_nothing()) << r;
         }
         some = 0;
-        for (r, row) in self.order.iter().copied().enumerate().rev() {
+        for (r, row) in order.iter().copied().enumerate().rev() {
             let cells = &self.cells[row * self.size..][..self.size];
             let (mut sum, mut size) = rests[r];
             for c in places(self.filled[row] & some) {

@@ -63,7 +63,6 @@ impl SheetFile {
     /// # Errors
     /// What is wrong with it, with its field.
     pub fn of(value: &Value) -> Result<Self, Finding> {
-        let place = |name: &str| name.to_owned();
         let format = match value.get("format") {
             None | Some(Value::Null) => None,
             Some(other) => match other.as_u64().and_then(|n| u32::try_from(n).ok()) {
@@ -73,13 +72,13 @@ impl SheetFile {
                 }
             },
         };
-        let problem = |(i, value): (usize, &Value)| SheetProblem::of(value, &format!("problems[{i}]"));
+        let problem = |(i, value): (usize, &Value)| SheetProblem::of(value, &format!("problems[{i}]."));
         Ok(Self {
             format,
-            student: text(value, "student", &place)?,
-            set: text(value, "set", &place)?,
+            student: text(value, "student", "")?,
+            set: text(value, "set", "")?,
             language: value.get("language").and_then(Value::as_str).map(str::to_owned),
-            problems: list(value, "problems", &place)?
+            problems: list(value, "problems", "")?
                 .iter()
                 .enumerate()
                 .map(problem)
@@ -91,28 +90,26 @@ impl SheetFile {
 /// What to do about a file that is none of these.
 const HINT: &str = "give the file sheet.json that came with your sheet";
 
-/// Makes the path of a field from its name.
-type FieldPath<'p> = &'p dyn Fn(&str) -> String;
-
-fn wanted(place: FieldPath, name: &str, what: &str) -> Finding {
-    Finding::new(told!("{}", place(name)), told!("is no sheet file: {what} is expected here")).hint(HINT)
+/// A field is not there, below this path.
+fn wanted(path: &str, name: &str, what: &str) -> Finding {
+    Finding::new(told!("{path}{name}"), told!("is no sheet file: {what} is expected here")).hint(HINT)
 }
 
-fn text(value: &Value, name: &str, place: FieldPath) -> Result<String, Finding> {
+fn text(value: &Value, name: &str, path: &str) -> Result<String, Finding> {
     let text = value.get(name).and_then(Value::as_str);
-    text.map(str::to_owned).ok_or_else(|| wanted(place, name, "a text"))
+    text.map(str::to_owned).ok_or_else(|| wanted(path, name, "a text"))
 }
 
-fn list<'v>(value: &'v Value, name: &str, place: FieldPath) -> Result<&'v [Value], Finding> {
+fn list<'v>(value: &'v Value, name: &str, path: &str) -> Result<&'v [Value], Finding> {
     let list = value.get(name).and_then(Value::as_array);
-    list.map(Vec::as_slice).ok_or_else(|| wanted(place, name, "a list"))
+    list.map(Vec::as_slice).ok_or_else(|| wanted(path, name, "a list"))
 }
 
 impl SheetPart {
-    fn of(value: &Value, place: FieldPath) -> Result<Self, Finding> {
+    fn of(value: &Value, path: &str) -> Result<Self, Finding> {
         let words = value.get("words").and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
         Ok(Self {
-            id: text(value, "id", place)?,
+            id: text(value, "id", path)?,
             tolerance: value.get("tolerance").and_then(Value::as_f64),
             words: words.iter().filter_map(Value::as_str).map(str::to_owned).collect(),
         })
@@ -121,10 +118,9 @@ impl SheetPart {
 
 impl SheetProblem {
     fn of(value: &Value, path: &str) -> Result<Self, Finding> {
-        let place = |name: &str| format!("{path}.{name}");
         let parts = match value.get("parts") {
             None => &[][..],
-            Some(_) => list(value, "parts", &place)?,
+            Some(_) => list(value, "parts", path)?,
         };
         let number = value.get("number").and_then(Value::as_u64).and_then(|n| usize::try_from(n).ok());
         let datum = |(symbol, datum): (&String, &Value)| {
@@ -133,11 +129,11 @@ impl SheetProblem {
         };
         let data = value.get("data").and_then(Value::as_object).map(|all| all.iter().map(datum).collect());
         Ok(Self {
-            number: number.ok_or_else(|| wanted(&place, "number", "a whole number"))?,
-            id: text(value, "id", &place)?,
+            number: number.ok_or_else(|| wanted(path, "number", "a whole number"))?,
+            id: text(value, "id", path)?,
             scene: value.get("scene").map_or(Node { value: node::Value::Empty, ..Node::of_text("") }, node),
-            data: data.ok_or_else(|| wanted(&place, "data", "the drawn data"))?,
-            parts: parts.iter().map(|part| SheetPart::of(part, &place)).collect::<Result<_, _>>()?,
+            data: data.ok_or_else(|| wanted(path, "data", "the drawn data"))?,
+            parts: parts.iter().map(|part| SheetPart::of(part, path)).collect::<Result<_, _>>()?,
         })
     }
 

@@ -213,8 +213,10 @@ macro_rules! walks {
             fn joint(kind: &$($change)? JointKind, solid: bool, tell: &mut Tell) {
                 match kind {
                     JointKind::Hinge { turned_deg, .. } => turned_deg.$iter().for_each(|x| tell(x, ANGLE)),
-                    JointKind::Pin { place_m, .. } | JointKind::Cord { place_m, .. } => {
+                    JointKind::Pin { place_m, .. } => place_m.$iter().for_each(|x| tell(x, PLACE)),
+                    JointKind::Cord { place_m, beyond, .. } => {
                         place_m.$iter().for_each(|x| tell(x, PLACE));
+                        beyond.$iter().for_each(|(_, place)| place.$iter().for_each(|x| tell(x, PLACE)));
                     }
                     JointKind::Contact { radius_m, surface, .. } => match surface {
                         Surface::Line(at) => {

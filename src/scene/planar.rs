@@ -170,12 +170,15 @@ pub enum JointKind {
         /// By teeth, which press along the rim alone?
         teeth: bool,
     },
-    /// A cord of constant length from the point to a fixed place, m; or a light rod, pinned at both ends.
+    /// A cord of constant length from the point to a fixed place, m, or over a small pulley there to another body; or a light rod,
+    /// pinned at both ends.
     Cord {
         /// The point.
         at: Spot,
         /// The place.
         place_m: [Num; 2],
+        /// The point to which it leads on, and the place of the small pulley, m, from which it comes there.
+        beyond: Option<(Spot, [Num; 2])>,
         /// Is it a rod, which pushes as well as it pulls?
         rod: bool,
     },
@@ -293,10 +296,8 @@ impl JointKind {
     pub fn spots(&self) -> impl Iterator<Item = Spot> {
         let (one, other) = match *self {
             Self::Hinge { one, other, .. } => (one, Some(other)),
-            Self::Pin { at, .. }
-            | Self::Guide { at, .. }
-            | Self::Contact { at, .. }
-            | Self::Cord { at, .. } => (at, self.carrier()),
+            Self::Cord { at, beyond, .. } => (at, beyond.map(|(spot, _)| spot)),
+            Self::Pin { at, .. } | Self::Guide { at, .. } | Self::Contact { at, .. } => (at, self.carrier()),
         };
         std::iter::once(one).chain(other)
     }

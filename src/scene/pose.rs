@@ -82,17 +82,17 @@ fn less<X: Copy + Sub<Output = X>>(a: [X; 2], b: [X; 2]) -> [X; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
 fn times<T: Real, X: Followed<T>>(a: [X; 2], by: T) -> [X; 2] {
-    a.map(|x| x.by(by))
+    [a[0].by(by), a[1].by(by)]
 }
 fn scaled<X: Copy + Mul<Output = X>>(a: [X; 2], by: X) -> [X; 2] {
-    a.map(|x| x * by)
+    [a[0] * by, a[1] * by]
 }
 fn dot<X: Copy + Add<Output = X> + Mul<Output = X>>(a: [X; 2], b: [X; 2]) -> X {
     a[0] * b[0] + a[1] * b[1]
 }
 /// A vector of this length along a fixed direction.
 fn along_unit<T: Real, X: Followed<T>>(unit: [T; 2], length: X) -> [X; 2] {
-    unit.map(|u| length.by(u))
+    [length.by(unit[0]), length.by(unit[1])]
 }
 /// The component along a fixed direction.
 fn component<T: Real, X: Followed<T>>(a: [X; 2], unit: [T; 2]) -> X {
@@ -156,7 +156,7 @@ fn left<X: Copy + Neg<Output = X>>(a: [X; 2]) -> [X; 2] {
     [-a[1], a[0]]
 }
 fn fixed<T: Real, X: Followed<T>>(a: [T; 2]) -> [X; 2] {
-    a.map(X::still)
+    [X::still(a[0]), X::still(a[1])]
 }
 
 /// A distance along the axis.
@@ -171,12 +171,12 @@ pub fn along<T: Real>(n: &Numbers<T>, place: Place) -> T {
 pub fn of_spot<T: Real>(scene: &Scene, n: &Numbers<T>, spot: Spot) -> [T; 2] {
     let planar = scene.bodies[spot.body].planar.as_ref();
     let place = planar.and_then(|p| p.points.get(spot.point));
-    place.map_or_else(|| [T::zero(); 2], |(_, place)| place.map(|x| along(n, x)))
+    place.map_or_else(|| [T::zero(); 2], |(_, [ahead, aside])| [along(n, *ahead), along(n, *aside)])
 }
 
 /// A fixed place.
 pub fn ground<T: Real>(n: &Numbers<T>, place: [Num; 2]) -> [T; 2] {
-    place.map(|x| n.get(x))
+    [n.get(place[0]), n.get(place[1])]
 }
 
 /// Unit vector along a direction in degrees, counter-clockwise from the right.
@@ -243,9 +243,8 @@ const fn sense(planar: &Planar) -> f64 {
 /// of it.
 fn turning<T: Real, X: Followed<T>>(direction: [T; 2], rate: T, second: T) -> [X; 2] {
     let across = left(direction);
-    [0, 1].map(|i| {
-        X::with(direction[i], || [across[i] * rate, across[i] * second - direction[i] * rate.square()])
-    })
+    let of = |here: T, across: T| X::with(here, || [across * rate, across * second - here * rate.square()]);
+    [of(direction[0], across[0]), of(direction[1], across[1])]
 }
 
 /// A direction turned counter-clockwise by an angle.
@@ -373,6 +372,18 @@ fn crossing<T: Real, X: Followed<T>>([(p, a), (q, b)]: [([X; 2], X); 2]) -> [X; 
     [a * q[1] - b * p[1], b * p[0] - a * q[0]].map(|x| x * per_area)
 }
 
+/// A point on a line, on one side of where its cord comes from: how far along and beside the axis, the foot of that place on the line, how
+/// far it is off the line, the direction to the point; the joint, and the other end of the cord with the place to which it leads.
+#[derive(Debug, Clone, Copy)]
+struct Hung<T> {
+    at: [T; 2],
+    foot: [T; 2],
+    off: T,
+    unit: [T; 2],
+    joint: usize,
+    other: (Spot, [Num; 2]),
+}
+
 /// How a body is placed.
 #[derive(Debug, Clone, Copy)]
 enum Step<T> {
@@ -392,6 +403,8 @@ enum Step<T> {
     Welded(Held<T>, usize, [T; 2]),
     /// Its axis has this direction.
     Still(Held<T>, [T; 2]),
+    /// It does not turn: its axis has this direction, and what is left of a cord from another body places it on its guide.
+    Hangs([T; 2], Hung<T>),
     /// It rolls on a line, and its axis has this direction at the start.
     Rolls(Held<T>, Track<T>, [T; 2]),
     /// A point of it lies where two lines meet; it rolls on a line if any, and its axis has this direction at the start.
@@ -585,9 +598,9 @@ impl<'a, T: Real> Layout<'a, T> {
                     JointKind::Contact { at, surface: Surface::Line(line), .. } => {
                         layout.beside(j, (at, line), &first)[0]
                     }
-                    JointKind::Cord { at, place_m, .. } => {
-                        let apart = less(layout.spot(at, &first), ground(n, place_m));
-                        dot(apart, apart).root()
+                    JointKind::Cord { at, place_m, beyond, .. } => {
+                        let length = |(at, place_m)| layout.from_place(&first, at, place_m);
+                        beyond.map_or_else(T::zero, length) + length((at, place_m))
                     }
                     _ => T::zero(),
                 };
@@ -614,7 +627,7 @@ impl<'a, T: Real> Layout<'a, T> {
             JointKind::Guide { at, line: Straight { on: None, .. }, .. } if at.body == self.lead => {
                 Some((self.lines[j], T::zero()))
             }
-            JointKind::Cord { at, place_m, .. } if at.body == self.lead => {
+            JointKind::Cord { at, place_m, beyond: None, .. } if at.body == self.lead => {
                 let near = self.first.as_ref()?[at.body].point(of_spot(self.scene, self.n, at));
                 let per = T::of(1.0) / self.starts[j];
                 Some((left(less(near, ground(self.n, place_m))).map(|x| x * per), per))
@@ -739,10 +752,12 @@ impl<'a, T: Real> Layout<'a, T> {
             let planar = self.scene.planar(body)?;
             let told = self.n.get(planar.start_deg?);
             let from = planar.from.components().map(T::of);
-            let lies = trig::angle(from[0] * pose.axis[1] - from[1] * pose.axis[0], dot(from, pose.axis));
-            let lies = lies.signed(sense(planar)).f64().to_degrees();
             let apart = off(pose.axis, axis(planar, &Half::of_degrees(told)));
-            (apart > MET).then(|| (body, [told.f64(), lies]))
+            (apart > MET).then(|| {
+                let across = from[0] * pose.axis[1] - from[1] * pose.axis[0];
+                let lies = trig::angle(across, dot(from, pose.axis)).signed(sense(planar));
+                (body, [told.f64(), lies.f64().to_degrees()])
+            })
         })
     }
     /// The first body that is too short, or too long, for the places that hold it.
@@ -795,10 +810,12 @@ impl<'a, T: Real> Layout<'a, T> {
             JointKind::Contact { at, radius_m, surface: Surface::Line(line), .. } => {
                 (aside(j, at, line) - self.n.get(radius_m)).size()
             }
-            JointKind::Contact { at, surface: Surface::Arc { centre_m: middle, .. }, .. }
-            | JointKind::Cord { at, place_m: middle, .. } => {
-                let [x, y] = less(place(at), ground(self.n, middle));
-                ((x.square() + y.square()).root() - self.apart(j).unwrap_or_else(T::zero)).size()
+            JointKind::Contact { at, surface: Surface::Arc { centre_m: middle, .. }, .. } => {
+                (self.from_place(poses, at, middle) - self.apart(j).unwrap_or_else(T::zero)).size()
+            }
+            JointKind::Cord { at, place_m, beyond, .. } => {
+                let length = |(at, place_m)| self.from_place(poses, at, place_m);
+                (length((at, place_m)) + beyond.map_or_else(T::zero, length) - self.starts[j]).size()
             }
         });
         let moved = |joint: &Joint| {
@@ -812,7 +829,7 @@ impl<'a, T: Real> Layout<'a, T> {
         all.enumerate().find(|(_, off)| off.is_nan() || *off > MET * size)
     }
     /// Where a point of a body is.
-    fn spot(&self, spot: Spot, poses: &Poses<T>) -> [T; 2] {
+    fn spot<X: Followed<T>>(&self, spot: Spot, poses: &Poses<X>) -> [X; 2] {
         poses[spot.body].point(of_spot(self.scene, self.n, spot))
     }
     /// How far a point is along the line of a joint and to its left.
@@ -821,10 +838,15 @@ impl<'a, T: Real> Layout<'a, T> {
         let (from, unit) = (less(self.spot(at, poses), through), self.line(joint, poses));
         [dot(unit, from), dot(left(unit), from)]
     }
+    /// How far a point is from a fixed place.
+    fn from_place<X: Followed<T>>(&self, poses: &Poses<X>, at: Spot, place_m: [Num; 2]) -> X {
+        let apart = less(self.spot(at, poses), fixed(ground(self.n, place_m)));
+        dot(apart, apart).square_root()
+    }
     /// How far the centre of a body is from the axis of the cylinder that it touches, or a point from where its cord is tied.
     fn apart(&self, joint: usize) -> Option<T> {
         match self.scene.joints[joint].kind {
-            JointKind::Cord { .. } => Some(self.starts[joint]),
+            JointKind::Cord { beyond: None, .. } => Some(self.starts[joint]),
             JointKind::Contact { radius_m, surface: Surface::Arc { radius_m: arc, inside, .. }, .. } => {
                 let (own, arc) = (self.n.get(radius_m), self.n.get(arc));
                 Some(if inside { (own - arc).abs() } else { arc + own })
@@ -1053,6 +1075,16 @@ impl<'a, T: Real> Layout<'a, T> {
                 Pose::through(axis, held.at, place(held, poses))
             }
             Step::Still(held, axis) => Pose::through(fixed(*axis), held.at, place(held, poses)),
+            Step::Hangs(axis, hung) => {
+                let (spot, over_m) = hung.other;
+                let left = X::still(self.starts[hung.joint]) - self.from_place(poses, spot, over_m);
+                let ahead = match hung.off.is_nothing() {
+                    true => left,
+                    false => open(left * left, X::still(hung.off.square())).square_root(),
+                };
+                let place = plus(fixed(hung.foot), along_unit(hung.unit, ahead));
+                Pose::through(fixed(*axis), hung.at, place)
+            }
             Step::Rolls(held, track, axis) => {
                 let place = place(held, poses);
                 Pose::through(rolls(place, track, *axis, poses), held.at, place)

@@ -304,7 +304,10 @@ impl<'d, 'a> Plane<'d, 'a> {
     pub fn new(draft: &'d mut Draft<'a>) -> Result<Self, DerivationStop> {
         let Some(lead) = draft.scene.lead() else { return unfound() };
         let carriers = draft.scene.joints.iter().filter_map(|j| j.kind.carrier());
-        if carriers.into_iter().any(|on| draft.scene.bodies[on.body].turns) {
+        let leads_on = |joint: &Joint| matches!(joint.kind, JointKind::Cord { beyond: Some(_), .. });
+        if carriers.into_iter().any(|on| draft.scene.bodies[on.body].turns)
+            || draft.scene.joints.iter().any(leads_on)
+        {
             return Err(Beyond::Mechanism.into());
         }
         let g = terms::gravity(draft);

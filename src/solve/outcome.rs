@@ -6,8 +6,8 @@ use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
 use crate::num::{Fast, Real, ball};
 use crate::scene::{
-    AsIf, Coordinate, Degree, End, Joint, Label, Numbers, Owner, Quantities, Quantity, Scales, Scene,
-    SpringTie, Taken, Term, admissible, pose,
+    AsIf, Coordinate, Degree, End, Joint, JointKind, Label, Numbers, Owner, Quantities, Quantity, Scales,
+    Scene, SpringTie, Taken, Term, admissible, pose,
 };
 use crate::solve::method::Method;
 use smallvec::SmallVec;
@@ -526,8 +526,14 @@ pub fn unplaced(scene: &Scene, body: usize) -> Refusal {
     }
     let free: usize = scene.bodies.iter().map(|b| if b.turns { 3 } else { 2 }).sum();
     let held: usize = scene.joints.iter().map(|j| j.kind.forces().len()).sum();
+    // What hangs on a cord that comes from another body has to be placed.
+    let hung = scene.joints.iter().find_map(|joint| {
+        let JointKind::Cord { beyond: Some(_), .. } = joint.kind else { return None };
+        let placed = |body: usize| scene.planar(body).is_some_and(|planar| planar.origin_m.is_some());
+        joint.kind.spots().map(|spot| spot.body).find(|b| !scene.bodies[*b].turns && !placed(*b))
+    });
     match free.saturating_sub(held) {
-        0 | 1 => Refusal::Unplaced(body),
+        0 | 1 => Refusal::Unplaced(hung.unwrap_or(body)),
         left => Refusal::Freedoms(left),
     }
 }

@@ -282,7 +282,12 @@ fn hanging() -> Scene {
     if let Some(planar) = &mut scene.bodies[0].planar {
         planar.origin_m = Some([f(0.0), f(0.0)]);
     }
-    scene.joints.push(joint(JointKind::Cord { at: spot(0, 0), place_m: [f(0.3), f(0.9)], rod: false }));
+    scene.joints.push(joint(JointKind::Cord {
+        at: spot(0, 0),
+        place_m: [f(0.3), f(0.9)],
+        beyond: None,
+        rod: false,
+    }));
     scene.end = End::AtOnce;
     scene
 }
@@ -291,9 +296,34 @@ fn hanging() -> Scene {
 fn linked() -> Scene {
     let mut scene = hanging();
     scene.joints = [(0, [-0.3, 0.9]), (1, [1.1, 0.8])]
-        .map(|(point, place)| joint(JointKind::Cord { at: spot(0, point), place_m: place.map(f), rod: true }))
+        .map(|(point, place)| {
+            let (at, place_m) = (spot(0, point), place.map(f));
+            joint(JointKind::Cord { at, place_m, beyond: None, rod: true })
+        })
         .to_vec();
     scene.end = End::Angle(Coordinate { body: 0, degree: Degree::Turn }, f(8.0));
+    scene
+}
+
+/// A rod on a pin, and a load beside its line on a cord that comes from the rod over two small pulleys.
+fn counterweight() -> Scene {
+    let mut scene = scene(vec![rod("door", Some(15.0)), body("load", None, 0.6, None)], Vec::new(), 1.0);
+    let planar = Planar {
+        points: vec![("L".to_owned(), [Place::At(f(0.0)); 2])],
+        origin_m: Some([f(1.7), f(-0.4)]),
+        ..Planar::pinned(Place::At(f(0.0)), Ray::Right, None)
+    };
+    scene.bodies[1].planar = Some(Planar { pinned: false, ..planar });
+    let far = (spot(1, 0), [f(1.5), f(1.1)]);
+    let cord = JointKind::Cord { at: spot(0, 1), place_m: [f(0.2), f(1.3)], beyond: Some(far), rod: false };
+    let mut bed = line(None, -90.0);
+    bed.through_m = [f(1.7), f(0.0)];
+    scene.joints = vec![
+        joint(JointKind::Pin { at: spot(0, 0), place_m: [f(0.0), f(0.0)] }),
+        joint(cord),
+        joint(JointKind::Guide { at: spot(1, 0), line: bed, reversed: false, one_sided: false, mu_k: None }),
+    ];
+    scene.end = End::Angle(Coordinate { body: 0, degree: Degree::Turn }, f(-20.0));
     scene
 }
 
@@ -472,6 +502,7 @@ fn joined() -> Vec<(&'static str, Scene)> {
         ("rod on a cord", hanging()),
         ("rod on a cord, struck", struck(hanging())),
         ("rod on two light rods", linked()),
+        ("load on a cord from a rod", counterweight()),
         ("rod in two guides, carried", carried(guided(None, 38.0))),
         (
             "rod in two guides, carried at rest",

@@ -94,6 +94,45 @@ fn an_equilibrium_rests_on_a_buffer() {
     assert_eq!(failed, [CheckKind::Met]);
 }
 
+/// A buffer may hold a bar on a way of three degrees, beyond which it would fall on; and a strap keeps a bar two degrees before the place from
+/// which its pull would let it go again.
+#[test]
+fn an_equilibrium_may_be_shallow() {
+    let (foot, g) = ([1.02 * f64::to_radians(60.0).sin(), 1.02 * f64::to_radians(60.0).cos()], 9.81);
+    let buffer = format!(
+        "
+bodies: {{bar: {{mass: 1 kg, shape: {{rod: 1 m}}, moves: in the plane, angle: from up clockwise}}}}
+joints: {{O: {{pins: bar.A}}}}
+forces: [spring: {{on: bar.B, to: [{} m, {} m], stiffness: 1e6 N/m, natural length: 0.03 m, only: pushes}}]
+start: {{bar: {{angle: 5 deg}}}}
+end: equilibrium
+",
+        foot[0], foot[1]
+    );
+    let energy = |q: f64| {
+        let pressed = f64::max(0.0, 0.03 - f64::hypot(foot[0] - q.sin(), foot[1] - q.cos()));
+        0.5 * g * q.cos() + 0.5e6 * pressed * pressed
+    };
+    let (at, _) = least(&energy, 1.0 / 3.0, (f64::to_radians(50.0), f64::to_radians(59.9)));
+    all_near(&told(&buffer, &["phi"]), &[at - f64::to_radians(5.0)], 1e-7);
+    let strap = "
+bodies: {bar: {mass: 7.5 kg, shape: {rod: 1.15 m}, moves: in the plane, angle: from hanging}}
+joints: {O: {pins: bar.A}}
+forces:
+  - spring: {name: strap, on: bar.B, to: [1.2 m, 1.0 m], stiffness: 230 N/m, natural length: 1.1 m, only: pulls}
+  - force: {on: bar.B, magnitude: 7 N, toward: [-1.1 m, 3.0 m]}
+start: {bar: {angle: -145 deg}}
+end: equilibrium
+";
+    let energy = |q: f64| {
+        let (x, y) = (1.15 * q.sin(), -1.15 * q.cos());
+        let stretched = f64::max(0.0, f64::hypot(1.2 - x, 1.0 - y) - 1.1);
+        7.5 * g * y / 2.0 + 115.0 * stretched * stretched + 7.0 * f64::hypot(-1.1 - x, 3.0 - y)
+    };
+    let (at, _) = least(&energy, 1.0, (f64::to_radians(-186.5), f64::to_radians(-184.0)));
+    all_near(&told(strap, &["phi"]), &[f64::to_radians(-145.0) - at], 1e-7);
+}
+
 /// What would have to pull at a blow is told by its impulse; a blow at the centre of percussion gives the pin nothing, though the
 /// decimals 0.8 and 1.2 are no multiples of each other in binary.
 #[test]

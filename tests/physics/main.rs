@@ -19,6 +19,7 @@ mod carried;
 mod catalogue;
 mod composed;
 mod composed_scenes;
+mod counterweights;
 mod expressions;
 mod extremes;
 mod growing;

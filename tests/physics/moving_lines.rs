@@ -5,9 +5,9 @@ use slipstick::finding::Finding;
 use slipstick::solve::agree;
 use slipstick::solve::outcome::{Refusal, Unsupported};
 
-const G: f64 = 9.81;
+pub const G: f64 = 9.81;
 
-fn read(bodies: &str, joints: &str, more: &str) -> Result<Bank, Vec<String>> {
+pub fn read(bodies: &str, joints: &str, more: &str) -> Result<Bank, Vec<String>> {
     let text = format!(
         "
 bank: t
@@ -30,7 +30,7 @@ problems:
 }
 
 /// What both methods tell of these quantities, enclosed.
-fn told<const N: usize>(bodies: &str, joints: &str, more: &str, names: [&str; N]) -> [f64; N] {
+pub fn told<const N: usize>(bodies: &str, joints: &str, more: &str, names: [&str; N]) -> [f64; N] {
     let bank = read(bodies, joints, more).unwrap_or_else(|found| panic!("{found:?}"));
     let scene = &bank.problems[0].cases[0].scene;
     let solved = agree::solve(scene, &[G]).unwrap_or_else(|e| panic!("{e:?}"));
@@ -42,7 +42,7 @@ fn told<const N: usize>(bodies: &str, joints: &str, more: &str, names: [&str; N]
     })
 }
 
-fn near<const N: usize>(found: [f64; N], expected: [f64; N]) {
+pub fn near<const N: usize>(found: [f64; N], expected: [f64; N]) {
     for (i, (a, b)) in found.iter().zip(expected).enumerate() {
         assert!((a - b).abs() <= 1e-12 * b.abs().max(1.0), "{i}: {a} against {b}");
     }

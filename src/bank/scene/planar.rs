@@ -187,9 +187,29 @@ impl SceneReader<'_> {
             "hinges" | "welds" => self.hinge(node, word == "welds", fields, bodies),
             "guides" => self.guide(node, fields, bodies),
             "ties" | "links" => {
+                let over = if word == "ties" { fields.get("over") } else { None };
                 let to = fields.need("to", "[x_A, y_A]");
                 let (at, rod) = (self.spot(node, bodies), word == "links");
-                at.zip(self.ground(to)).map(|(at, place_m)| JointKind::Cord { at, place_m, rod })
+                let Some(over) = over else {
+                    let held = at.zip(self.ground(to));
+                    return held.map(|(at, place_m)| JointKind::Cord { at, place_m, beyond: None, rod });
+                };
+                let pulleys = match &over.value {
+                    Value::List(both) if both.iter().all(|n| matches!(n.value, Value::List(_))) => &both[..],
+                    _ => std::slice::from_ref(over),
+                };
+                let places: Option<Vec<_>> = pulleys.iter().map(|n| self.ground(Some(n))).collect();
+                let (place_m, last_m) = match places?[..] {
+                    [one] => (one, one),
+                    [first, last] => (first, last),
+                    _ => return self.faults.expected(over, "the place of a small pulley, or of two", ""),
+                };
+                let to = self.spot(to?, bodies)?;
+                let at = at?;
+                if to.body == at.body {
+                    return self.faults.refuse(node, "a cord over a pulley ties two bodies");
+                }
+                Some(JointKind::Cord { at, place_m, beyond: Some((to, last_m)), rod })
             }
             _ => self.surface(node, (word != "slides", word == "meshes"), fields, bodies),
         }

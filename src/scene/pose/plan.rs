@@ -2,8 +2,8 @@
 use crate::num::Real;
 use crate::num::half::Half;
 use crate::scene::pose::{
-    Arc, Guided, Held, Known, Layout, Line, MET, Pose, Step, Steps, Track, axis, direction, dot, from_origin,
-    ground, left, less, of_spot, off, parallel, plus, sense, times,
+    Arc, Guided, Held, Hung, Known, Layout, Line, MET, Pose, Step, Steps, Track, axis, direction, dot,
+    from_origin, ground, left, less, of_spot, off, parallel, plus, sense, times,
 };
 use crate::scene::{Branch, JointKind, Planar, Spot, Straight, Surface, pose};
 use smallvec::SmallVec;
@@ -55,7 +55,7 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
         let joints = self.layout.scene.joints.iter().zip(&self.layout.lines).enumerate();
         joints.filter_map(move |(j, (joint, unit))| {
             let (at, through) = match (joint.kind, joint.kind.surface()) {
-                (JointKind::Cord { at, place_m, .. }, _) if !self.at_start => {
+                (JointKind::Cord { at, place_m, beyond: None, .. }, _) if !self.at_start => {
                     (at, ground(self.layout.n, place_m))
                 }
                 // The centre of a wheel is a radius off the line. One that another body carries has no place yet.
@@ -324,6 +324,35 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
         })
     }
 
+    /// How a body that does not turn is placed on its guide by a cord that leads to it from one that has a place.
+    fn hung(&self, body: usize, axis: [T; 2]) -> Option<Step<T>> {
+        let layout = self.layout;
+        let first = layout.first.as_ref().filter(|_| !self.at_start)?;
+        let guide = self.guided(body).find(|guide| guide.ring.is_none())?;
+        layout.scene.joints.iter().enumerate().find_map(|(joint, j)| {
+            let JointKind::Cord { at, place_m, beyond: Some(beyond), .. } = j.kind else { return None };
+            let ends = [(at, place_m), beyond];
+            let own = ends.iter().position(|(spot, _)| spot.body == body)?;
+            let ((spot, over_m), other) = (ends[own], ends[1 - own]);
+            if !self.placed[other.0.body] {
+                return None;
+            }
+            let (at, over) = (self.spot(spot), pose::ground(layout.n, over_m));
+            let through = plus(guide.through, from_origin(axis, less(at, guide.at)));
+            let foot = pose::foot(over, through, guide.unit);
+            let way = dot(less(first[body].point(at), foot), guide.unit);
+            let hung = Hung {
+                at,
+                foot,
+                off: dot(left(guide.unit), less(over, through)),
+                unit: guide.unit.map(|x| x.signed(way.sign())),
+                joint,
+                other,
+            };
+            Some(Step::Hangs(axis, hung))
+        })
+    }
+
     /// How a body is placed beside those that have a place, if its joints do.
     pub fn follow(&self, body: usize) -> Option<Step<T>> {
         let planar = self.planar(body)?;
@@ -335,10 +364,9 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
         let place = || self.placed(body).filter(|_| self.at_start);
         let placed = || Some(Held { at: [T::zero(); 2], place: Known::Fixed(place()?) });
         if let Some(axis) = self.still(body) {
-            return match held.or_else(placed) {
-                Some(held) => Some(Step::Still(held, axis)),
-                None => Some(Step::Crosses([T::zero(); 2], self.crossing(body)?, None, axis)),
-            };
+            let still = held.or_else(placed).map(|held| Step::Still(held, axis));
+            let hung = || still.or_else(|| self.hung(body, axis));
+            return hung().or_else(|| Some(Step::Crosses([T::zero(); 2], self.crossing(body)?, None, axis)));
         }
         if self.at_start
             && let Some(start) = self.started(body)

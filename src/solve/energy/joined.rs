@@ -20,7 +20,7 @@ use crate::num::plant::plant;
 use crate::num::{Dd, Jet, Real, ball, root};
 use crate::scene::pose::{self, Layout, Pose};
 use crate::scene::{
-    Acts, End, Joint, JointKind, Numbers, Owner, Place, Quantity, Rest, Scene, Spot, Strut, StrutEnd,
+    Acts, End, Joint, JointKind, Num, Numbers, Owner, Place, Quantity, Rest, Scene, Spot, Strut, StrutEnd,
 };
 use crate::solve::energy::pendulum::Pendulum;
 use crate::solve::method::Method;
@@ -465,6 +465,13 @@ impl<'a, T: Real> Account<'a, T> {
         let columns = 3 * self.scene.bodies.len();
         let mut rows = Equations::with_rights(columns, rights);
         let mut of_joint = OfJoint::new();
+        // From a point to the place to which its cord leads.
+        let tight = |at: Spot, place_m: [Num; 2]| {
+            let (near, far) = (self.point(poses, at), pose::ground(self.n, place_m));
+            let apart = [far[0] - near[0].value, far[1] - near[1].value];
+            let length = dot(apart, apart).root();
+            apart.map(|x| x / length)
+        };
         let mut count = 0;
         for (j, (joint, rubs)) in self.scene.joints.iter().zip(&self.rubs).enumerate() {
             let (mut rim, [rolls, teeth]) = (T::zero(), joint.kind.rolls());
@@ -487,12 +494,7 @@ impl<'a, T: Real> Account<'a, T> {
                         (at, both[usize::from(teeth)..1 + usize::from(rolls)].iter().copied().collect())
                     })
                 }
-                JointKind::Cord { at, place_m, .. } => {
-                    let (near, far) = (self.point(poses, at), pose::ground(self.n, place_m));
-                    let apart = [far[0] - near[0].value, far[1] - near[1].value];
-                    let length = dot(apart, apart).root();
-                    Some((at, smallvec![apart.map(|x| x / length)]))
-                }
+                JointKind::Cord { at, place_m, .. } => Some((at, smallvec![tight(at, place_m)])),
                 JointKind::Hinge { .. } => None,
             };
             let mut own: SmallVec<[usize; 2]> = SmallVec::new();
@@ -522,6 +524,11 @@ impl<'a, T: Real> Account<'a, T> {
                 count += 1;
             };
             match (ground, joint.kind) {
+                // What comes off the one end of a cord goes to the other.
+                (Some((at, directions)), JointKind::Cord { beyond: Some((to, place_m)), .. }) => {
+                    let far = tight(to, place_m).map(|x| plant!("energy: other end of a cord", x));
+                    add(&[(at, directions[0], T::zero()), (to, far, T::zero())]);
+                }
                 // The last condition of a wheel that rolls is that its rim does not slip.
                 (Some((at, directions)), _) => {
                     for (i, u) in directions.iter().enumerate() {

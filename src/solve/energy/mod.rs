@@ -192,8 +192,8 @@ struct Ledger<'a, T: Real> {
     turned: bool,
     /// Points of a quadrature, where the work is to be summed.
     points: Option<usize>,
-    /// The motion, where it goes in phases.
-    phases: Option<Phases<T>>,
+    /// The motion, where it goes in phases: apart, for it is large and mostly there is none.
+    phases: Option<Box<Phases<T>>>,
     /// The reactions that were asked last, and the tensions of the springs for which.
     last: Option<(Pulls<T>, Reactions<T>)>,
 }
@@ -370,7 +370,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         let mut ledger = Self::still(scene, n, (Mode::still(scene.bodies.len()), rate), kinetic);
         ledger.v0 = phases.ends()[0].of(ledger.end);
         ledger.rolled = phases.rolled.iter().map(|r| (r.tie, r.friction)).collect();
-        (ledger.started, ledger.phases) = (true, Some(phases));
+        (ledger.started, ledger.phases) = (true, Some(Box::new(phases)));
         Ok(ledger)
     }
 

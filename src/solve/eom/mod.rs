@@ -64,11 +64,14 @@ pub fn roads(scene: &Scene, sets: &[Set], asked: Scope) -> Vec<Option<Told>> {
     let alone = |data: &Set| road_of(scene, data, asked).ok().map(Told::Alone);
     #[cfg(feature = "program")]
     if let Some(least) = least_together(scene) {
-        let walked = |sets: &[Set]| match sets.len() < least {
-            true => sets.iter().map(alone).collect(),
-            false => together(scene, sets, asked, &alone),
-        };
-        return sets.chunks(lanes::LANES).flat_map(walked).collect();
+        let mut told = Vec::with_capacity(sets.len());
+        for sets in sets.chunks(lanes::LANES) {
+            match sets.len() < least {
+                true => told.extend(sets.iter().map(alone)),
+                false => told.extend(together(scene, sets, asked, &alone)),
+            }
+        }
+        return told;
     }
     sets.iter().map(alone).collect()
 }
@@ -83,20 +86,19 @@ fn least_together(scene: &Scene) -> Option<usize> {
 
 /// The same of so many sets as go side by side.
 #[cfg(feature = "program")]
-fn together(
+fn together<'s>(
     scene: &Scene,
-    sets: &[Set],
+    sets: &'s [Set],
     asked: Scope,
-    alone: &dyn Fn(&Set) -> Option<Told>,
-) -> Vec<Option<Told>> {
+    alone: &'s dyn Fn(&Set) -> Option<Told>,
+) -> impl Iterator<Item = Option<Told>> + use<'s> {
     let walk = |data: &[f64]| of_kind::<Lanes>(scene, Numbers::new(scene, data), asked);
     let (road, astray) = lanes::side_by_side(sets, walk);
     let road = road.map(|road| Rc::new(road.telling(scene)));
-    let of = |(lane, data)| match &road {
+    sets.iter().enumerate().map(move |(lane, data)| match &road {
         Ok(road) if astray >> lane & 1 == 0 => Some(Told::Lane(Rc::clone(road), lane)),
         _ => alone(data),
-    };
-    sets.iter().enumerate().map(of).collect()
+    })
 }
 
 /// Is it walked for several sets of data at once? A motion on lines and axles, with all data given and nothing asked by formulas.
@@ -378,8 +380,8 @@ struct Walk<'a, T: Real> {
     response: Response<T>,
     /// Column whose accelerations have the ratios of the velocities.
     ratio_column: usize,
-    /// The motion, where it goes in phases.
-    phases: Option<Phases<'a, T>>,
+    /// The motion, where it goes in phases: apart, for it is large and mostly there is none.
+    phases: Option<Box<Phases<'a, T>>>,
     /// Speed of the ending coordinate at the start.
     v0: T,
     /// Does it start with a speed, of whichever coordinate?
@@ -470,7 +472,7 @@ impl<'a, T: Real> Walk<'a, T> {
         walk.rolled = std::mem::take(&mut phases.rolled);
         walk.holding = phases.after.take().filter(|_| scene.formulas.stays);
         walk.v0 = phases.start_of(walk.end);
-        (walk.started, walk.phases) = (true, Some(phases));
+        (walk.started, walk.phases) = (true, Some(Box::new(phases)));
         Ok(walk)
     }
 

@@ -108,8 +108,8 @@ struct Row<T> {
     ends: ([End<T>; 2], usize),
     /// The joint; beyond the last one for what no joint holds.
     joint: usize,
-    /// Curvature of the way of its point toward its direction.
-    toward: T,
+    /// Curvature of the way of the point at each end toward its direction.
+    toward: [T; 2],
     /// Does it keep its point at a line that another body carries, and turns?
     turns: bool,
     /// Friction to the right of its direction per normal force.
@@ -137,7 +137,7 @@ impl<T: Real> End<T> {
 impl<T: Real> Row<T> {
     fn new(joint: usize, one: End<T>, other: Option<End<T>>, toward: T) -> Self {
         let ends = ([one, other.unwrap_or(one)], 1 + usize::from(other.is_some()));
-        Self { ends, joint, toward, turns: false, rubs: T::zero() }
+        Self { ends, joint, toward: [toward; 2], turns: false, rubs: T::zero() }
     }
     fn ends(&self) -> &[End<T>] {
         &self.ends.0[..self.ends.1]
@@ -320,11 +320,17 @@ impl<'a, T: Real> Mechanism<'a, T> {
                         rows.push(Row::new(joint, one, other, zero));
                     }
                 }
-                JointKind::Cord { at, place_m, .. } => {
-                    let (near, far) = (self.place(poses, at), pose::ground(self.n, place_m));
-                    let apart = [far[0] - near[0], far[1] - near[1]];
-                    let length = dot(apart, apart).root();
-                    rows.push(Row::new(joint, end(at, apart.map(|x| x / length), zero), None, one / length));
+                JointKind::Cord { at, place_m, beyond, .. } => {
+                    let tied = |(at, place_m)| {
+                        let (near, far) = (self.place(poses, at), pose::ground(self.n, place_m));
+                        let apart = [far[0] - near[0], far[1] - near[1]];
+                        let length = dot(apart, apart).root();
+                        (end(at, apart.map(|x| x / length), zero), one / length)
+                    };
+                    let ((near, bend), far) = (tied((at, place_m)), beyond.map(tied));
+                    let toward =
+                        [bend, far.map_or(zero, |(_, bend)| plant!("eom: other end of a cord", bend))];
+                    rows.push(Row { toward, ..Row::new(joint, near, far.map(|(end, _)| end), bend) });
                 }
             }
         }
@@ -581,13 +587,13 @@ impl<'a, T: Real> Mechanism<'a, T> {
     /// What a row's points accelerate toward its direction by their motion alone, per square of the rate.
     fn inward(&self, state: &State<T>, row: &Row<T>) -> T {
         let mut sum = T::zero();
-        for End { body, along, lever: r, .. } in row.ends() {
+        for (End { body, along, lever: r, .. }, toward) in row.ends().iter().zip(row.toward) {
             let [vx, vy, spin] = state.rates[*body];
             sum = sum + dot(*along, *r) * spin.square();
             let v = [vx - spin * r[1], vy + spin * r[0]];
-            if !row.toward.is_zero() {
-                // A point on a circle is drawn toward its middle by the square of its speed over the radius.
-                sum = sum + dot(v, v) * row.toward;
+            if !toward.is_zero() {
+                // A point is drawn toward the middle of its circle by the square of its speed about it over the radius.
+                sum = sum + cross(*along, v).square() * toward;
             }
             if row.turns {
                 // Coriolis: what moves along the line turns with it.

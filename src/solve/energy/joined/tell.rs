@@ -83,17 +83,20 @@ impl<T: Real> Account<'_, T> {
     /// The stable equilibrium toward which the bodies set off from rest, where the potential energy is least, and small oscillations
     /// about it: `omega^2 = V'' / M`.
     pub fn rest(&mut self, road: &mut Road<T>) -> Result<(), Refusal> {
-        let power = |way: T| {
-            let poses = self.poses(way)?;
-            let balance = self.balance(&poses, &self.rates(&poses))?;
+        let power = |account: &Self, way: T| {
+            let poses = account.poses(way)?;
+            let balance = account.balance(&poses, &account.rates(&poses))?;
             Ok::<_, Refusal>(balance.force)
         };
-        let sense = power(T::zero())?.sign();
+        let sense = power(self, T::zero())?.sign();
         let full = T::constant(Dd::PI.scale2(1));
         let found = if sense == 0.0 {
             Some(T::zero())
         } else {
-            let way = self.first(full, false, &|way| Ok(power(way.signed(sense))?.signed(sense)))?;
+            self.sense = sense;
+            self.meets = ball::unwatched(|| self.springs_met());
+            self.sense = 1.0;
+            let way = self.first(full, false, &|way| Ok(power(self, way.signed(sense))?.signed(sense)))?;
             way.map(|way| way.signed(sense))
         };
         let stiffness = match found {

@@ -6,6 +6,10 @@ use crate::scene::{Acts, JointKind, Label, Owner, Quantity, Spot, pose};
 use crate::solve::eom::joined::{BESIDE, Fine, Gain, Motion, PUSHES, SHORTEST, Teller, look};
 use crate::solve::eom::planar::{LOOKED_THROUGH, Response, State};
 use crate::solve::outcome::{Course, Held, Refusal, Said, Unsupported};
+use smallvec::{SmallVec, smallvec};
+
+/// A way on which springs act is looked at in so many places at least.
+const PIECES: f64 = 9.0;
 
 /// An equilibrium is indifferent whose stiffness is below this share of what forces could give it.
 const INDIFFERENT: f64 = 1e-9;
@@ -71,18 +75,11 @@ impl<T: Real> Teller<'_, '_, T> {
         };
         let drive = |way: T| Ok(mechanism.leading(&at(way)?.1).0);
         let sense = drive(T::zero())?.sign();
-        let mut found = (sense == 0.0).then(T::zero);
-        let (mut before, full) = (T::zero(), T::constant(Dd::PI.scale2(1)));
-        while sense != 0.0 && found.is_none() && before.below(full) {
-            let next = before + look();
-            if drive(next.signed(sense))?.signed(sense).sign() <= 0.0 {
-                let way = root::between_values(before, next, false, &|x| {
-                    Ok::<_, Refusal>(drive(x.signed(sense))?.signed(sense))
-                })?;
-                found = Some(way.signed(sense));
-            }
-            before = next;
-        }
+        let full = T::constant(Dd::PI.scale2(1));
+        let found = match sense == 0.0 {
+            true => Some(T::zero()),
+            false => self.falls_off(full, sense, &|x| Ok(drive(x.signed(sense))?.signed(sense)))?,
+        };
         let stiffness = match found {
             Some(way) => {
                 // No difference is taken across a place where a spring is met; just there nothing oscillates evenly.
@@ -120,6 +117,43 @@ impl<T: Real> Teller<'_, '_, T> {
         self.tell_forces(&state, &response, T::zero(), smooth);
         self.watch(&response, T::zero());
         Ok(())
+    }
+
+    /// The first place at which a drive that sets the bodies off no longer does, however shortly: a buffer holds them on a little way.
+    fn falls_off(
+        &self,
+        full: T,
+        sense: f64,
+        drive: &dyn Fn(T) -> Result<T, Refusal>,
+    ) -> Result<Option<T>, Refusal> {
+        let mut stops: SmallVec<[T; 4]> =
+            self.mechanism.meets(sense, (full, look())).into_iter().map(|(_, at)| at.abs()).collect();
+        stops.sort_by(|a, b| a.f64().total_cmp(&b.f64()));
+        stops.push(full);
+        let found = |low, high| Ok(Some(root::between_values(low, high, false, drive)?.signed(sense)));
+        let mut seen: SmallVec<[(T, T); 3]> = smallvec![(T::zero(), drive(T::zero())?)];
+        for stop in stops {
+            let begin = seen[seen.len() - 1].0;
+            let step = T::of(f64::min(look::<T>().f64(), (stop - begin).size() / PIECES));
+            while let Some((before, _)) = seen.last().copied()
+                && before.below(stop)
+            {
+                let next = before + step;
+                let next = if next.below(stop) { next } else { stop };
+                let now = drive(next)?;
+                if now.sign() <= 0.0 {
+                    return found(before, next);
+                }
+                seen.push((next, now));
+                if let Some([left, at, _]) = root::dipped(&seen, drive)? {
+                    return found(left, at);
+                }
+                if seen.len() == 3 {
+                    seen.remove(0);
+                }
+            }
+        }
+        Ok(None)
     }
 
     /// Errors: a place on the way at which the bodies cannot pass, as where a linkage locks.
