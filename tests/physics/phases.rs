@@ -583,6 +583,7 @@ end: {end}"
         let slid = 4.0 * at - 0.45 * G * at * at;
         compare(&names[..4], &found[..4], &[3.0 - 0.3 * G * at, 3.0 * G * at - 5.0, slid, slid]);
     }
+}
 
 /// A ball that is pulled off its lane is told by the check of what presses it there, as anywhere.
 #[test]
