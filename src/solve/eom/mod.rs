@@ -804,7 +804,9 @@ impl<'a, T: Real> Walk<'a, T> {
         let goes = |c| if reached { phases.gone(&|of| of(c)).speed } else { phases.start_of(c) };
         let speed = goes(self.end);
         let sense = if speed.is_zero() { set_off } else { speed.sign() };
-        let way = self.centre().map_or(sense, |line| goes(line).sign());
+        // What is at rest as it comes to roll stays there.
+        let rolls = matches!(self.scene.end, End::Rolling(_)).then_some(self.end);
+        let way = self.centre().or(rolls).map_or(sense, |line| goes(line).sign());
         self.phases = Some(phases);
         self.road.course = Some(Course { way, asked, begins, farthest, ..Course::moving(sense, reached) });
         self.contacts_if_rolled(&[]);
