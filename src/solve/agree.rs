@@ -320,7 +320,6 @@ impl Half {
 }
 
 /// Runs the second road and compares what it says with what the first one said.
-#[expect(clippy::float_cmp, reason = "senses are exactly -1, 0 or 1")]
 fn compared(
     scene: &Scene,
     data: &[f64],

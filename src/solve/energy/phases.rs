@@ -40,6 +40,9 @@ pub struct Phase<T> {
 /// Of each tie the friction that its contact needs, if it is one that could rub and holds by friction.
 type Needs<T> = PerTie<Option<T>>;
 
+/// The reactions, and what friction the contacts need.
+type Held<T> = (Reactions<T>, Needs<T>);
+
 /// What a contact that is said to slip would do if it held.
 #[derive(Clone)]
 pub struct Rolled<T> {
@@ -337,11 +340,7 @@ impl<T: Real> Follower<'_, '_, T> {
     }
 
     /// Contacts come to rest: are they held, and what holds or lets go of what slides? `None` where one would have to roll and cannot.
-    fn closing(
-        &mut self,
-        closed: &[usize],
-        all: &mut Phases<T>,
-    ) -> Result<Option<(Reactions<T>, Needs<T>)>, Refusal> {
+    fn closing(&mut self, closed: &[usize], all: &mut Phases<T>) -> Result<Option<Held<T>>, Refusal> {
         let held = self.reactions(&self.rate());
         let needs = self.needs(&held)?;
         let holds = self.holding(closed, &held, &needs, &mut all.rolled);

@@ -45,6 +45,9 @@ pub struct Phase<T> {
     ways: Option<Each<T>>,
 }
 
+/// Forces and accelerations, and what friction the contacts need.
+type Forces<T> = (Response<T>, Needs<T>);
+
 /// A motion in phases, up to its end if it gets there.
 pub struct Phases<'a, T: Real> {
     scene: &'a Scene,
@@ -185,7 +188,7 @@ impl<'a, T: Real> Phases<'a, T> {
         setting: &mut Setting,
         closed: &[usize],
         pulls: &[T],
-    ) -> Result<Option<(Response<T>, Needs<T>)>, Refusal> {
+    ) -> Result<Option<Forces<T>>, Refusal> {
         let mut response = respond(self.scene, n, setting)?;
         let mut needs = equations::needs(self.scene, n, (setting, &response), pulls)?;
         let held = self.holding(n, closed, &response, &needs);
