@@ -217,7 +217,7 @@ fn reason(taken: &Taken) -> &'static str {
     match (taken.chosen, taken.rung.method(), taken.force) {
         (_, Method::Closed, Force::Instant) => "only an instant is asked, nothing has to be integrated",
         (true, Method::Closed, Force::Constant) => "the forces are the same all the way, so the closed form is exact and nothing is cheaper",
-        (true, Method::Closed, Force::Switched) => "the forces are the same all the way up to the start of rolling and from there on, so the closed form is exact and nothing is cheaper",
+        (true, Method::Closed, Force::Switched) => "the forces are the same all the way up to where a contact comes to rest and from there on, so the closed form is exact and nothing is cheaper",
         (true, Method::Closed, Force::OfTime) => "the forces grow with a power of time or place, so the closed form is exact and nothing is cheaper",
         (true, Method::Closed, Force::Linear) => "the force changes in proportion to the displacement, so the closed form is exact and nothing is cheaper",
         (true, Method::Closed, Force::Pendulum) => "under its weight alone the time is an elliptic integral, known to rounding, and nothing is cheaper",

@@ -599,7 +599,7 @@ impl<'a, T: Real> Layout<'a, T> {
                         layout.beside(j, (at, line), &first)[0]
                     }
                     JointKind::Cord { at, place_m, beyond, .. } => {
-                        let length = |(at, place_m)| layout.from_place(&first, at, place_m);
+                        let length = |(at, place_m)| layout.distance(&first, at, place_m);
                         beyond.map_or_else(T::zero, length) + length((at, place_m))
                     }
                     _ => T::zero(),
@@ -811,10 +811,10 @@ impl<'a, T: Real> Layout<'a, T> {
                 (aside(j, at, line) - self.n.get(radius_m)).size()
             }
             JointKind::Contact { at, surface: Surface::Arc { centre_m: middle, .. }, .. } => {
-                (self.from_place(poses, at, middle) - self.apart(j).unwrap_or_else(T::zero)).size()
+                (self.distance(poses, at, middle) - self.apart(j).unwrap_or_else(T::zero)).size()
             }
             JointKind::Cord { at, place_m, beyond, .. } => {
-                let length = |(at, place_m)| self.from_place(poses, at, place_m);
+                let length = |(at, place_m)| self.distance(poses, at, place_m);
                 (length((at, place_m)) + beyond.map_or_else(T::zero, length) - self.starts[j]).size()
             }
         });
@@ -839,7 +839,7 @@ impl<'a, T: Real> Layout<'a, T> {
         [dot(unit, from), dot(left(unit), from)]
     }
     /// How far a point is from a fixed place.
-    fn from_place<X: Followed<T>>(&self, poses: &Poses<X>, at: Spot, place_m: [Num; 2]) -> X {
+    fn distance<X: Followed<T>>(&self, poses: &Poses<X>, at: Spot, place_m: [Num; 2]) -> X {
         let apart = less(self.spot(at, poses), fixed(ground(self.n, place_m)));
         dot(apart, apart).square_root()
     }
@@ -1077,7 +1077,7 @@ impl<'a, T: Real> Layout<'a, T> {
             Step::Still(held, axis) => Pose::through(fixed(*axis), held.at, place(held, poses)),
             Step::Hangs(axis, hung) => {
                 let (spot, over_m) = hung.other;
-                let left = X::still(self.starts[hung.joint]) - self.from_place(poses, spot, over_m);
+                let left = X::still(self.starts[hung.joint]) - self.distance(poses, spot, over_m);
                 let ahead = match hung.off.is_nothing() {
                     true => left,
                     false => open(left * left, X::still(hung.off.square())).square_root(),

@@ -15,7 +15,7 @@ use crate::finding::{Finding, Findings};
 use crate::num::{elliptic, shown};
 use crate::problem::make_key;
 use crate::problem::maker::Variant;
-use crate::scene::{Coordinate, Degree, Label, Num, Owner, Quantity, Scene, Span, Start, Tie};
+use crate::scene::{Label, Num, Quantity, Scene, Span, Start};
 use crate::sheet::document;
 use crate::template::{self, Templates, View};
 use crate::words::Words;
@@ -456,13 +456,14 @@ fn form(
     text
 }
 
-/// Which part of the motion counts: for the turn of what may spin back, and for an extremum where the forces change on the way so that it
+/// Which part of the motion counts: for the way and the turn of what may come back, and for an extremum where the forces change on the way so that it
 /// matters.
 fn range(scene: &Scene, q: &Question) -> Option<&'static str> {
-    if let (Quantity::Phi, Owner::Body(body)) = (q.label.quantity, q.label.of)
-        && starts_spinning(scene, body)
-    {
-        return Some("sheet.from_start_to_end");
+    // What goes in phases may come back, and spin back.
+    match q.label.quantity {
+        Quantity::Phi if scene.goes_in_phases() => return Some("sheet.from_start_to_end"),
+        Quantity::Direction if scene.goes_in_phases() => return Some("sheet.at_the_end"),
+        _ => {}
     }
     scene.springs().next()?;
     match (q.label.quantity, scene.span) {
@@ -472,14 +473,6 @@ fn range(scene: &Scene, q: &Question) -> Option<&'static str> {
         }
         _ => None,
     }
-}
-
-/// Does a body that slips start with a spin, which friction may turn back?
-fn starts_spinning(scene: &Scene, body: usize) -> bool {
-    let turn = Coordinate { body, degree: Degree::Turn };
-    let spins = |s: &Start| matches!(s, Start::Speed(c, w) if *c == turn && *w != Num::Fixed(0.0));
-    let slips = |tie: &Tie| matches!(tie, Tie::Slip { body: b, .. } if *b == body);
-    scene.goes_in_phases() && scene.ties.iter().any(slips) && scene.start.iter().any(spins)
 }
 
 /// `1 %`

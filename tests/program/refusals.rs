@@ -1097,7 +1097,7 @@ end: at once";
             FOUR_BAR
                 .replace("  B: {hinges: [coupler.B, rocker.B]}", "  B: {hinges: [coupler.B, crank.A]}")
                 .replace("coupler", "one"),
-            "the joints do not place `one` on the way: a body is placed that leads, is welded, or is pinned or hinged to what has a place and either guided at another point, by a cord or a light rod too, or by a slot of it, or hinged there to a second such body; one that does not turn moves in a bed and by a slot, or by a wheel that rolls on it; a wheel that an arm carries about the axis of a cylinder `meshes` with it",
+            "the joints do not place `one` on the way: a body is placed that leads, is welded, or is pinned or hinged to what has a place and either guided at another point, by a cord or a light rod too, or by a slot of it, or hinged there to a second such body; one that does not turn moves in a bed and by a slot, by a wheel that rolls on it, or by a cord that comes from another body over a pulley, and is then `placed:` at the start; a wheel that an arm carries about the axis of a cylinder `meshes` with it",
         ),
     ];
     let slotted = |start: &str, end: &str| {

@@ -202,7 +202,13 @@ impl SceneReader<'_> {
                 let (place_m, last_m) = match places?[..] {
                     [one] => (one, one),
                     [first, last] => (first, last),
-                    _ => return self.faults.expected(over, "the place of a small pulley, or of two", ""),
+                    _ => {
+                        return self.faults.expected(
+                            over,
+                            "the place of a small pulley, or of two",
+                            "such as `[x_C, h]` or `[[x_A, y_A], [x_B, y_B]]`",
+                        );
+                    }
                 };
                 let to = self.spot(to?, bodies)?;
                 let at = at?;

@@ -341,6 +341,10 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
             let through = plus(guide.through, from_origin(axis, less(at, guide.at)));
             let foot = pose::foot(over, through, guide.unit);
             let way = dot(less(first[body].point(at), foot), guide.unit);
+            // At its pulley it could hang to either side.
+            if way.is_nothing() {
+                return None;
+            }
             let hung = Hung {
                 at,
                 foot,

@@ -35,7 +35,7 @@ impl<T: Real> Account<'_, T> {
                 {
                     let next = before + T::of(f64::min(step, most));
                     step = f64::min(2.0 * step, STEP);
-                    let next = if next.below(end) { next } else { end };
+                    let next = if before.below(next) && next.below(end) { next } else { end };
                     let now = value(next)?;
                     if gone(now) {
                         return root(before, next, sure);

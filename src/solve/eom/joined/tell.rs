@@ -138,8 +138,9 @@ impl<T: Real> Teller<'_, '_, T> {
             while let Some((before, _)) = seen.last().copied()
                 && before.below(stop)
             {
+                // Two springs may be met within the last digit: so short a step leads nowhere.
                 let next = before + step;
-                let next = if next.below(stop) { next } else { stop };
+                let next = if before.below(next) && next.below(stop) { next } else { stop };
                 let now = drive(next)?;
                 if now.sign() <= 0.0 {
                     return found(before, next);
