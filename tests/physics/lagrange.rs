@@ -5,6 +5,8 @@
 use crate::composed::{Amount, Body, End, Event, Far, Scene, Spread, Tie, Way};
 
 type V2 = (f64, f64);
+/// A quantity of an axle.
+type Axle = (&'static str, Owner, f64);
 fn dot(a: V2, b: V2) -> f64 {
     a.0 * b.0 + a.1 * b.1
 }
@@ -779,11 +781,7 @@ impl<'s> System<'s> {
     }
 
     /// The forces of the fixed axles, and those that nothing determines, springs at these tensions.
-    fn axles(
-        &self,
-        there: &Instant,
-        pulls: &[f64],
-    ) -> (Vec<(&'static str, Owner, f64)>, Vec<(&'static str, Owner)>) {
+    fn axles(&self, there: &Instant, pulls: &[f64]) -> (Vec<Axle>, Vec<(&'static str, Owner)>) {
         let s = self.s;
         // An axle holds the weight of its body against the pulls of its cords: one to a body on a slope runs along that, any other as
         // it leaves. Nobody knows the direction of one that goes round a corner.
