@@ -323,10 +323,7 @@ impl SceneReader<'_> {
                 Value::Map(_) => Fields::open(value, "a slope", self.faults).and_then(|mut fields| {
                     let slope = fields.need("slope", "theta");
                     // One that cannot be read is some incline, along which bodies move up and down.
-                    let degrees = |n| match self.number(n, Need::SLOPE) {
-                        Some(Num::Fixed(0.0)) => Slope::Level,
-                        degrees => Slope::Degrees(degrees.unwrap_or(Num::Fixed(1.0))),
-                    };
+                    let degrees = |n| Slope::Degrees(self.number(n, Need::SLOPE).unwrap_or(Num::Fixed(1.0)));
                     slope.filter(|n| !self.absent(n)).map(degrees)
                 }),
                 _ => self.word(

@@ -32,19 +32,6 @@ fn value(solved: &Solved, quantity: Quantity) -> f64 {
     entry.value()
 }
 
-/// Bodies on a slope of 0 degrees go forward and back, as on a level one.
-#[test]
-fn a_slope_of_nothing_is_level() {
-    let read = |surface: &str| {
-        let text = format!(
-            "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {{}}\n    scene:\n      surfaces: {{i: {surface}}}\n      bodies: {{b: {{mass: 2 kg, moves: along i}}}}\n      start: {{b: {{speed: 2 m/s}}}}\n      end: {{time: {{of: b, is: 1 s}}}}\n    questions: {{v: {{ask: how fast, unit: m/s}}}}\n    statement: x\n"
-        );
-        let bank = load::scenes_only(&text, "test").unwrap_or_else(|f| panic!("{f:#?}"));
-        bank.problems[0].cases[0].scene.clone()
-    };
-    assert_eq!(read("{slope: 0 deg}"), read("level"));
-}
-
 #[test]
 fn exact_balance_stays() {
     // m R k theta mu_s M b m_B d g: 20 kg at 30 degrees against 10 kg.
