@@ -54,14 +54,6 @@ pub struct Surface {
     pub vertical: bool,
 }
 
-impl Surface {
-    /// Said to be level, or of a slope that is 0 in every draw.
-    pub fn is_level(&self) -> bool {
-        let nothing = |slope: &Amount| slope.symbol.is_none() && slope.si == 0.0;
-        !self.vertical && self.slope.as_ref().is_none_or(nothing)
-    }
-}
-
 #[derive(Clone)]
 pub enum Spread {
     /// It does not turn.

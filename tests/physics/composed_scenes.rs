@@ -213,7 +213,7 @@ fn named(messages: &[String]) -> Option<String> {
         ("the ties leave nothing free to move", "no freedom"),
         ("a spring holds a scene with", "spring with two freedoms"),
         ("slips, and there is a spring", "spring where something slips"),
-        ("its speed says which way it goes", "heading of what starts with slip"),
+        ("how it starts says which way it goes", "heading of what starts with slip"),
         ("the start and the ties leave", "start that leaves a velocity open"),
         ("the rest of the start already give", "start that says a velocity twice"),
         ("`rolling` ends the slip of a body", "rolling of what does not start with slip"),

@@ -759,7 +759,7 @@ impl<'s> System<'s> {
     fn direction(&self, sense: f64) -> &'static str {
         let s = self.s;
         let f = &self.frames[s.of];
-        let level = matches!(s.bodies[s.of].way, Way::Along(i) if s.surfaces[i].is_level());
+        let level = matches!(s.bodies[s.of].way, Way::Along(i) if s.surfaces[i].slope.is_none() && !s.surfaces[i].vertical);
         match (sense, f.line && !level) {
             (0.0, _) => "stays",
             (_, true) => {
@@ -786,7 +786,8 @@ impl<'s> System<'s> {
         // An axle holds the weight of its body against the pulls of its cords: one to a body on a slope runs along that, any other as
         // it leaves. Nobody knows the direction of one that goes round a corner.
         let onward = |e: &End| dot(leaves(s, &self.frames, e).1, self.frames[e.body].forward) > 0.0;
-        let on_slope = |e: &&End| matches!(s.bodies[e.body].way, Way::Along(k) if !s.surfaces[k].vertical && !s.surfaces[k].is_level());
+        let on_slope =
+            |e: &&End| matches!(s.bodies[e.body].way, Way::Along(k) if s.surfaces[k].slope.is_some());
         let (mut pins, mut open) = (Vec::new(), Vec::new());
         for (b, body) in s.bodies.iter().enumerate() {
             if !matches!(body.way, Way::Axle) || matches!(body.spread, Spread::Moment(_)) {
