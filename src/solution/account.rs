@@ -1418,7 +1418,7 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     /// Sense in which a coordinate moves; nothing turns back.
-    fn velocity_sense(&self, c: Coordinate) -> f64 {
+    pub fn velocity_sense(&self, c: Coordinate) -> f64 {
         match self.m.of(c).a {
             Some(a) if self.own(c) => self.symbols.value(a),
             _ => self.value(&self.m.of(c).ratio.expr()) * self.sense,

@@ -578,13 +578,13 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         let line = self.scene.bodies[lead.body].line;
         let sloped = line.is_some_and(|l| l.slope != Slope::Level);
         // The word is that of the centre, which may go back as its body turns forward.
-        let along = match lead.degree == Degree::Turn && line.is_some() {
-            true => self.value(&self.m.of(Coordinate { degree: Degree::Along, ..lead }).ratio.expr()),
-            false => 1.0,
+        let way = match lead.degree == Degree::Turn && line.is_some() {
+            true => self.velocity_sense(Coordinate { degree: Degree::Along, ..lead }),
+            false => self.sense,
         };
-        let up = self.sense * along * f64::from(part.up) > 0.0;
+        let up = way * f64::from(part.up) > 0.0;
         let word = match (sloped, up) {
-            _ if self.stays() || along == 0.0 => Word::Stays,
+            _ if self.stays() || way == 0.0 => Word::Stays,
             (true, true) => Word::Up,
             (true, false) => Word::Down,
             (false, true) => Word::Forward,

@@ -1035,6 +1035,16 @@ impl<'s> System<'s> {
         }
     }
 
+    /// Sense in which the centre of the ending body goes with these velocities, of this size; this of what has no line.
+    fn goes(&self, v: &[f64], size: f64, sense: f64) -> f64 {
+        let along = inner(&self.moving(self.s.of, false), v);
+        match self.frames[self.s.of].line {
+            true if along.abs() > 1e-11 * size => along.signum(),
+            true => 0.0,
+            false => sense,
+        }
+    }
+
     /// The ending coordinate.
     fn watch(&self) -> Vec<f64> {
         self.moving(self.s.of, self.s.event == Event::Turn || !self.frames[self.s.of].line)
@@ -1132,12 +1142,17 @@ impl<'s> System<'s> {
         let own = inner(&self.watch(), &v);
         let moving = arrived.is_some() && own.abs() > 1e-11 * speeds && self.event() != Event::TurningPoint;
         told.sense = if moving { own.signum() } else { ending.sense };
-        told.direction = self.direction(told.sense);
         let wrong_way = match s.heading {
             Some("forward") => ending.sense < 0.0,
             Some("back") => ending.sense > 0.0,
             _ => false,
         };
+        let there = if arrived.is_some() && !wrong_way { Some(&v) } else { None };
+        told.direction = self.direction(match (s.event, there) {
+            (Event::Turn, _) => self.goes(there.unwrap_or(&legs[0].from), speeds, told.sense),
+            (Event::Rolling, Some(v)) => self.goes(v, speeds, told.sense),
+            _ => told.sense,
+        });
         told.as_said = told.sense != 0.0 && !wrong_way;
         let by = s.by.as_ref().map_or(0.0, |b| b.si);
         let back = match self.event() {
@@ -1465,7 +1480,8 @@ impl<'s> System<'s> {
             }
         };
         told.as_said = moves && !wrong_way;
-        told.direction = self.direction(told.sense);
+        told.direction =
+            self.direction(if event == Event::Turn { self.goes(&q, 1.0, told.sense) } else { told.sense });
         // Where it is set going is no place at which it ends.
         let back = match event {
             Event::Speed => by == law.speed(0.0),

@@ -589,7 +589,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         let own = at.of(self.end).sign();
         let sense = if own == 0.0 { phases.sense } else { own };
         // A body that begins to roll at rest goes nowhere.
-        let centre = self.counts_turn() || matches!(self.scene.end, End::Rolling(_));
+        let centre = self.counts_turn() || reached && matches!(self.scene.end, End::Rolling(_));
         let way = if centre { at.v[self.end.body].sign() } else { sense };
         let (doubled, time) = (balance::inertia(&self.n, last, last), phases.time());
         self.road.course = Some(Course { way, ..Course::moving(sense, reached) });

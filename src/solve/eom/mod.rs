@@ -805,7 +805,7 @@ impl<'a, T: Real> Walk<'a, T> {
         let speed = goes(self.end);
         let sense = if speed.is_zero() { set_off } else { speed.sign() };
         // What is at rest as it comes to roll stays there.
-        let rolls = matches!(self.scene.end, End::Rolling(_)).then_some(self.end);
+        let rolls = (reached && matches!(self.scene.end, End::Rolling(_))).then_some(self.end);
         let way = self.centre().or(rolls).map_or(sense, |line| goes(line).sign());
         self.phases = Some(phases);
         self.road.course = Some(Course { way, asked, begins, farthest, ..Course::moving(sense, reached) });
