@@ -1217,6 +1217,7 @@ impl Teller<'_, '_> {
             }
             JointKind::Contact { at, radius_m, surface, rolls, teeth } => {
                 let what = match rolls {
+                    true if teeth && kind.carrier().is_some() => "meshes_carried",
                     true if teeth => "meshes",
                     true => "rolls",
                     false if self.view.of(radius_m) == 0.0 => "slides_itself",
