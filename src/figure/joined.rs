@@ -6,8 +6,8 @@ use crate::picture::board::{Board, LabelTie, MIDDLE_FIRST, on_arc};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Role, TextRun, symbol};
 use crate::scene::{
-    Acts, Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Planar, Quantity, Rest, RotaryInertia,
-    Scene, Shape, Spot, Straight, Strut, StrutEnd, Surface, pose,
+    Acts, Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Planar, Push, Quantity, Rest,
+    RotaryInertia, Scene, Shape, Spot, Straight, Strut, StrutEnd, Surface, pose,
 };
 use crate::words::plain::capital;
 
@@ -426,16 +426,12 @@ pub fn ground(view: &SceneView, place: [Num; 2]) -> Vec2 {
 
 /// Places to which bodies are pinned or tied, or are pulled.
 fn fixed_places(scene: &Scene) -> impl Iterator<Item = [Num; 2]> {
-    let held = scene.joints.iter().filter_map(|joint| match joint.kind {
-        JointKind::Pin { place_m, .. } | JointKind::Cord { place_m, .. } => Some(place_m),
-        _ => None,
+    let held = scene.joints.iter().flat_map(|joint| match joint.kind {
+        JointKind::Pin { place_m, .. } => [Some(place_m), None],
+        JointKind::Cord { place_m, beyond, .. } => [Some(place_m), beyond.map(|(_, last_m)| last_m)],
+        _ => [None, None],
     });
-    let beyond = scene.joints.iter().filter_map(|joint| match joint.kind {
-        JointKind::Cord { beyond, .. } => beyond.map(|(_, place_m)| place_m),
-        _ => None,
-    });
-    let held = held.chain(beyond);
-    held.chain(scene.pushes.iter().filter_map(|push| push.toward_m))
+    held.flatten().chain(scene.pushes.iter().filter_map(|push| push.toward_m))
 }
 
 /// Do the bodies hang from all that holds them?
@@ -1092,7 +1088,7 @@ fn loads(board: &mut Board, view: &SceneView, plane: &PlaneLayout) {
 }
 
 /// Direction of a force.
-pub fn towards(view: &SceneView, plane: &PlaneLayout, laid: &[Laid], push: &crate::scene::Push) -> Vec2 {
+pub fn towards(view: &SceneView, plane: &PlaneLayout, laid: &[Laid], push: &Push) -> Vec2 {
     if let Some(place) = push.toward_m {
         return (ground(view, place) * plane.scale - plane.spot(view, laid, push.at)).unit();
     }
@@ -1189,7 +1185,7 @@ impl Teller<'_, '_> {
         }
     }
     /// Whither a force acts.
-    fn way(&self, push: &crate::scene::Push) -> String {
+    fn way(&self, push: &Push) -> String {
         let angle = say::text(self.view, push.direction_deg, "°");
         let name = match push.direction_deg {
             _ if push.toward_m.is_some() => return String::new(),

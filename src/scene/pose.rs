@@ -598,10 +598,7 @@ impl<'a, T: Real> Layout<'a, T> {
                     JointKind::Contact { at, surface: Surface::Line(line), .. } => {
                         layout.beside(j, (at, line), &first)[0]
                     }
-                    JointKind::Cord { at, place_m, beyond, .. } => {
-                        let length = |(at, place_m)| layout.distance(&first, at, place_m);
-                        beyond.map_or_else(T::zero, length) + length((at, place_m))
-                    }
+                    JointKind::Cord { at, place_m, beyond, .. } => layout.cord(&first, (at, place_m), beyond),
                     _ => T::zero(),
                 };
             }
@@ -814,8 +811,7 @@ impl<'a, T: Real> Layout<'a, T> {
                 (self.distance(poses, at, middle) - self.apart(j).unwrap_or_else(T::zero)).size()
             }
             JointKind::Cord { at, place_m, beyond, .. } => {
-                let length = |(at, place_m)| self.distance(poses, at, place_m);
-                (length((at, place_m)) + beyond.map_or_else(T::zero, length) - self.starts[j]).size()
+                (self.cord(poses, (at, place_m), beyond) - self.starts[j]).size()
             }
         });
         let moved = |joint: &Joint| {
@@ -842,6 +838,11 @@ impl<'a, T: Real> Layout<'a, T> {
     fn distance<X: Followed<T>>(&self, poses: &Poses<X>, at: Spot, place_m: [Num; 2]) -> X {
         let apart = less(self.spot(at, poses), fixed(ground(self.n, place_m)));
         dot(apart, apart).square_root()
+    }
+    /// How long a cord or a light rod is that holds a point, as far as its fixed place or on to another body.
+    fn cord(&self, poses: &Poses<T>, near: (Spot, [Num; 2]), beyond: Option<(Spot, [Num; 2])>) -> T {
+        let length = |(at, place_m)| self.distance(poses, at, place_m);
+        beyond.map_or_else(T::zero, length) + length(near)
     }
     /// How far the centre of a body is from the axis of the cylinder that it touches, or a point from where its cord is tied.
     fn apart(&self, joint: usize) -> Option<T> {
