@@ -28,6 +28,7 @@ const SENSED: Range = (NOT_NEGATIVE.0, NOT_NEGATIVE.1, TURNS_BACK);
 const DIRECTED: Range = (NOT_NEGATIVE.0, NOT_NEGATIVE.1, ACTS_WHITHER);
 const POSITIVE: Range = (|x| x.is_finite() && x > 0.0, "above 0", "");
 const UP_TO_VERTICAL: Range = (|x| (0.0..=90.0).contains(&x), "from 0 to 90 degrees", "");
+const UP_TO_ONE: Range = (|x| (0.0..=1.0).contains(&x), "from 0 to 1", "");
 const ACUTE: Range = (|x| x > -90.0 && x < 90.0, "between -90 and 90 degrees", "");
 const LEFT_OF_IT_LEFT: Range = (|x| x > 0.0 && x < 180.0, "between 0 and 180 degrees", "");
 const A_TURN: Range = (|x| (-360.0..=360.0).contains(&x), "from -360 to 360 degrees", "");
@@ -47,6 +48,7 @@ impl Need {
     pub const INERTIA: &Self = &need("a moment of inertia", "kg*m^2", NOT_NEGATIVE, "4 kg*m^2");
     pub const SLOPE: &Self = &need("a slope", "deg", UP_TO_VERTICAL, "30 deg");
     pub const FRICTION: &Self = &need("a friction coefficient", "1", NOT_NEGATIVE, "0.4");
+    pub const RESTITUTION: &Self = &need("a coefficient of restitution", "1", UP_TO_ONE, "0.4");
     pub const FORCE: &Self = &need("a force", "N", NOT_NEGATIVE, "100 N");
     pub const PUSH: &Self = &need("a force", "N", DIRECTED, "100 N");
     pub const IMPULSE: &Self = &need("an impulse", "N*s", DIRECTED, "5 N*s");

@@ -90,6 +90,8 @@ struct SceneReader<'a> {
     lost: Cell<bool>,
     /// The start gives the angle of a pinned body.
     angled: Cell<bool>,
+    /// The joint that acts in an impact alone.
+    restitution: Cell<Option<(usize, Num)>>,
 }
 
 /// Reads a scene. `gravity` is the index of g among the data.
@@ -111,6 +113,7 @@ pub fn read(
         growths: RefCell::default(),
         lost: Cell::default(),
         angled: Cell::default(),
+        restitution: Cell::default(),
     };
     let scene = reader.scene(node, gravity).filter(|_| faults.count() == before);
     SceneRead { scene, ..reader.met.into_inner() }
@@ -228,6 +231,7 @@ impl SceneReader<'_> {
             ties,
             couples,
             joints,
+            restitution: self.restitution.take(),
             pushes,
             struts,
             growths: self.growths.take(),
@@ -795,7 +799,11 @@ impl SceneReader<'_> {
                         planar.start_deg = angle;
                     }
                 }
-                if speed.is_none() && spin.is_none() && angle.is_none() {
+                let arrives = if angled { fields.get("arrives") } else { None };
+                if let (Some(n), Some(planar)) = (arrives, &mut bodies[body].planar) {
+                    planar.arrives = self.arrives(n, bodies[body].turns);
+                }
+                if speed.is_none() && spin.is_none() && angle.is_none() && arrives.is_none() {
                     f.hint(value, "no speed is given", "write `{speed: v0}` or `{spin: w0}`");
                 }
                 if let Some(n) = speed {

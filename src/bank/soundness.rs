@@ -267,9 +267,11 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
     let driven = driven.filter(|b| scene.end != End::AtOnce || scene.is_struck() || scene.lead() != Some(*b));
     let (struck, still) = (scene.is_struck(), scene.end == End::Equilibrium);
     let speeds = scene.start_speeds().count();
+    let arrives = scene.arrivals().next().is_some();
+    let recoils = scene.restitution.map(|(joint, _)| scene.joints[joint].name.as_str());
     let turning = named(|b| b.turns).unwrap_or("rod");
     #[rustfmt::skip] // a table
-    let rules: [SceneRule; 11] = [
+    let rules: [SceneRule; 14] = [
         (named(|b| b.planar.is_none()), "", "`{}` does not move in the plane, and another body does",
             "write `moves: in the plane` for all of them, with joints"),
         (is(!scene.ties.is_empty()), "ties", "what moves in the plane is held by joints", "write `joints`"),
@@ -279,6 +281,12 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
             "remove `growing by`, or let the bodies move on lines"),
         (is(speeds > 1), "start", "more than one speed is given at the start of joined bodies",
             "give one speed or spin: the joints give the others"),
+        (is(arrives && (speeds > 0 || scene.carried.is_some())), "start", "a motion just before an impact stands beside another one",
+            "give `arrives` alone: the joints take hold in the impact, and what moves after it follows"),
+        (recoils.filter(|_| !arrives || scene.end != End::AtOnce), "joints", "`{}` has a restitution, and acts in an impact alone",
+            "give what strikes its `arrives: {speed: v, direction: right}` under `start`, and write `end: at once`"),
+        (recoils.filter(|_| scene.pushes.iter().any(|p| p.blow)), "forces", "`{}` has a restitution, and an impulse acts besides",
+            "take the impulse away"),
         (rough.filter(|_| struck), "joints", "`{}` is rough, and an impulse acts: what friction does in a blow is not known",
             "remove `mu_k`"),
         (driven.map(|b| scene.bodies[b].name.as_str()), "start", "`{}` is driven, and its motion goes on",

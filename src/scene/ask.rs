@@ -342,9 +342,9 @@ impl Scene {
     pub fn driven(&self) -> Option<Num> {
         self.planar(self.lead()?)?.driven
     }
-    /// Does an impulse set the bodies off?
+    /// Does an impulse or an impact set the bodies off?
     pub fn is_struck(&self) -> bool {
-        self.pushes.iter().any(|p| p.blow)
+        self.pushes.iter().any(|p| p.blow) || self.arrivals().next().is_some()
     }
     /// Do the bodies move in a horizontal plane, in which no weight acts?
     pub fn lies_level(&self) -> bool {

@@ -2,7 +2,7 @@
 //! order of the scene: one table, for those who look and for those who change the numbers.
 use crate::scene::Rule::{self, Angle, Finite, Inside, NotAbove, NotNegative, Positive, Stretch, Unlike};
 use crate::scene::{
-    Attach, Body, CordEnd, Degree, End, Far, JointKind, Mass, Num, Place, Rest, RotaryInertia, Scene, Shape,
+    Arrives, Attach, Body, CordEnd, Degree, End, Far, JointKind, Mass, Num, Place, Rest, RotaryInertia, Scene, Shape,
     Slope, Start, Straight, StrutEnd, Surface, Tie,
 };
 
@@ -74,6 +74,7 @@ macro_rules! walks {
                     let solid = at.is_some_and(is_solid);
                     joint(&$($change)? it.kind, solid, tell);
                 }
+                scene.restitution.$iter().for_each(|(_, e)| tell(e, ("1", &[NotNegative, NotAbove(Num::Fixed(1.0))])));
                 forces(scene, pinned, tell);
                 for start in scene.start.$iter() {
                     match start {
@@ -163,6 +164,13 @@ macro_rules! walks {
                 tell(x, centre);
                 planar.start_deg.$iter().for_each(|angle| tell(angle, ANGLE));
                 planar.driven.$iter().for_each(|alpha| tell(alpha, ("rad/s^2", &[Finite])));
+                if let Some(Arrives { velocity, spin_rad_s }) = &$($change)? planar.arrives {
+                    if let Some([speed, direction]) = velocity {
+                        tell(speed, ("m/s", &[Finite]));
+                        tell(direction, ANGLE);
+                    }
+                    tell(spin_rad_s, ("rad/s", &[Finite]));
+                }
                 planar.origin_m.$iter().flatten().for_each(|x| tell(x, PLACE));
             }
 

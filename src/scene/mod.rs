@@ -31,7 +31,7 @@ pub use link::{Action, Attach, Cord, CordEnd, Far, Made, Rubbing, Side, SpringTi
 pub use motion::{Carrier, Coordinate, Degree, End, Heading, Span, Start, Thrown};
 pub use numbers::{BodyNumbers, Carried, Numbers, speed};
 pub use planar::{
-    Acts, Branch, Joint, JointKind, Place, Planar, Push, Ray, Rest, Spot, Straight, Strut, StrutEnd, Surface,
+    Acts, Arrives, Branch, Joint, JointKind, Place, Planar, Push, Ray, Rest, Spot, Straight, Strut, StrutEnd, Surface,
     on_axis,
 };
 pub use scales::Scales;
@@ -61,6 +61,8 @@ pub struct Scene {
     pub couples: Vec<Couple>,
     /// What holds points of bodies that move in the plane.
     pub joints: Vec<Joint>,
+    /// The joint that acts in an impact alone, by index, with its coefficient of restitution.
+    pub restitution: Option<(usize, Num)>,
     /// Forces on points of bodies that move in the plane.
     pub pushes: Vec<Push>,
     /// Springs at points of bodies that move in the plane.

@@ -21,6 +21,8 @@ pub struct Planar {
     pub start_deg: Option<Num>,
     /// The angular acceleration, rad/s^2, that a couple of its own gives it: it is driven.
     pub driven: Option<Num>,
+    /// How it moves just before an impact in which its joints take hold.
+    pub arrives: Option<Arrives>,
     /// Place of the origin of the axis at the start, m, of a body that no joint places.
     pub origin_m: Option<[Num; 2]>,
     /// Does its plane lie level, so that no weight acts in it?
@@ -42,12 +44,23 @@ impl Planar {
             clockwise: from == Ray::Up,
             start_deg,
             driven: None,
+            arrives: None,
             origin_m: None,
             level: false,
             side: None,
             pinned: true,
         }
     }
+}
+
+/// How a body moves just before an impact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Arrives {
+    /// Speed of its mass centre, m/s, and its direction, degrees counter-clockwise from the right; `None` of one that turns about its
+    /// pin, or about its mass centre.
+    pub velocity: Option<[Num; 2]>,
+    /// Its spin, rad/s, positive as its angle grows.
+    pub spin_rad_s: Num,
 }
 
 /// A point of the axis.
@@ -383,6 +396,8 @@ impl Scene {
         let mut acts: Vec<Spot> = self.pushes.iter().map(|push| push.at).collect();
         let mut turned: Vec<usize> = self.couples.iter().map(|couple| couple.body).collect();
         turned.extend(self.start_speeds().map(|(c, _)| c.body));
+        let spins = |b: &Body| b.planar.as_ref().and_then(|p| p.arrives).is_some_and(|a| a.spin_rad_s != Num::Fixed(0.0));
+        turned.extend((0..self.bodies.len()).filter(|b| spins(&self.bodies[*b])));
         for joint in &self.joints {
             let turns = matches!(
                 joint.kind,
@@ -426,6 +441,17 @@ impl Scene {
         if let Some(planar) = first.and_then(|body| self.bodies[body].planar.as_mut()) {
             planar.start_deg = Some(Num::Fixed(0.0));
         }
+    }
+    /// The bodies that move just before an impact, and how; with the point of the body about which one turns whose velocity is not told.
+    pub fn arrivals(&self) -> impl Iterator<Item = (usize, Arrives, Option<Spot>)> {
+        self.bodies.iter().enumerate().filter_map(|(b, body)| {
+            let arrives = body.planar.as_ref()?.arrives?;
+            let pin = |joint: &Joint| match joint.kind {
+                JointKind::Pin { at, .. } => Some(at).filter(|at| at.body == b && arrives.velocity.is_none()),
+                _ => None,
+            };
+            Some((b, arrives, self.joints.iter().find_map(pin)))
+        })
     }
     /// Is a torsion spring wound by half a turn or more at the start, as far as the data say it?
     pub fn is_overwound(&self, data: &[f64]) -> bool {

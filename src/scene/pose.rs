@@ -15,7 +15,7 @@ use crate::num::{Jet, Real, U, root, trig};
 use crate::scene::numbers::BodyNumbers;
 use crate::scene::pose::plan::Planner;
 use crate::scene::{
-    Coordinate, Degree, End, Joint, JointKind, Num, Numbers, Place, Planar, Ray, Rest, Scene, Spot, Straight,
+    Arrives, Coordinate, Degree, End, Joint, JointKind, Num, Numbers, Place, Planar, Ray, Rest, Scene, Spot, Straight,
     Strut, Surface,
 };
 use smallvec::{SmallVec, smallvec};
@@ -523,6 +523,16 @@ pub fn pulls<T: Real>(scene: &Scene, n: &Numbers<T>) -> f64 {
     let weights: f64 = n.bodies.iter().map(|b| (b.mass * n.gravity).size()).sum();
     let spring = |s: &Strut| n.massive(s.stiffness_n_m).size() * if s.twists() { 1.0 / size } else { size };
     weights + scene.struts.iter().map(spring).sum::<f64>()
+}
+
+/// Sum of the magnitudes of all impulses that strike, and of the momenta before an impact, N s: what impulses are small beside.
+pub fn blows<T: Real>(scene: &Scene, n: &Numbers<T>) -> f64 {
+    let momentum = |(b, Arrives { velocity, spin_rad_s }, _): (usize, Arrives, _)| {
+        let speed = velocity.map_or(0.0, |[speed, _]| n.get(speed).size());
+        n.bodies[b].mass.size() * (speed + n.get(spin_rad_s).size() * size(scene, n))
+    };
+    let blows = scene.pushes.iter().filter(|p| p.blow);
+    blows.map(|p| n.massive(p.force_n).size()).chain(scene.arrivals().map(momentum)).sum()
 }
 
 /// Sum of the distances of all points from the origins of their axes, and of radii, m: what lengths and speeds are small beside.

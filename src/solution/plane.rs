@@ -496,6 +496,9 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// What an instant's blows do: to momenta what forces do to accelerations, with an impulse in the place of each force of a joint.
     fn strike(&mut self) -> Result<(), DerivationStop> {
         let (scene, lead, kept, moves) = (self.scene, self.lead, self.bodies.clone(), self.moves);
+        if scene.arrivals().next().is_some() {
+            return Err(Beyond::Impact.into());
+        }
         let from_rest = self.first == ZERO;
         let mark = if from_rest { "s" } else { r"\Delta" };
         self.here = if scene.end == End::AtOnce { END } else { START };

@@ -53,6 +53,8 @@ pub fn unfound<T>() -> Result<T, DerivationStop> {
 pub enum Beyond {
     /// A force that grows on bodies of several freedoms.
     GrowingForce,
+    /// Bodies that move before an impact.
+    Impact,
     /// A mechanism that is not placed, or not looked through.
     Mechanism,
     /// What a motion that follows takes over.
@@ -81,6 +83,7 @@ impl Beyond {
     pub fn text(self, words: &Words) -> String {
         let (what, quantity) = match self {
             Self::GrowingForce => ("growing_force", None),
+            Self::Impact => ("impact", None),
             Self::Mechanism => ("mechanism", None),
             Self::Next => ("next", None),
             Self::Phases => ("phases", None),
@@ -105,6 +108,7 @@ mod tests {
         for words in Words::languages().filter_map(Words::of) {
             let alone = [
                 Beyond::GrowingForce,
+                Beyond::Impact,
                 Beyond::Mechanism,
                 Beyond::Next,
                 Beyond::Phases,

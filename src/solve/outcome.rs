@@ -576,6 +576,8 @@ impl From<Unsettled> for Refusal {
 pub enum Unsupported {
     /// A spring where the scene has two freedoms, on the way.
     SpringWithTwoFreedoms,
+    /// A motion before an impact that the other joints do not allow.
+    HeldBefore,
     /// A start speed of what the ties hold at rest.
     StartHeld,
     /// A spring where something slips, on the way.

@@ -4,7 +4,7 @@ use crate::bank::node::{Fields, Node, Value, WHOLE, named, shorten};
 use crate::bank::scene::{SceneReader, plain_name};
 use crate::finding::{only_told, told};
 use crate::scene::{
-    Acts, Body, Branch, Joint, JointKind, Num, Place, Planar, Push, Ray, Rest, Spot, Straight, Strut,
+    Acts, Arrives, Body, Branch, Joint, JointKind, Num, Place, Planar, Push, Ray, Rest, Spot, Straight, Strut,
     StrutEnd, Surface, on_axis,
 };
 use crate::units::spell;
@@ -30,6 +30,9 @@ const JOINTS: [(&str, &str); 9] = [
 
 /// Directions of lines in words, degrees.
 const LINES: [(&str, f64); 2] = [("horizontal", 0.0), ("vertical", -90.0)];
+
+/// Directions of forces and velocities, degrees counter-clockwise from the right.
+const WHITHER: [(&str, f64); 4] = [("right", 0.0), ("up", 90.0), ("left", 180.0), ("down", -90.0)];
 
 /// From where angles count, and whether clockwise.
 #[rustfmt::skip] // a table
@@ -79,6 +82,7 @@ impl SceneReader<'_> {
             clockwise,
             start_deg: None,
             driven: None,
+            arrives: None,
             origin_m,
             level,
             side,
@@ -173,6 +177,12 @@ impl SceneReader<'_> {
                     f.refuse_with(value, told!("`{name}` has to say what it holds"), words)
                 }
             };
+            if let Some(n) = fields.get("restitution")
+                && let Some(e) = self.number(n, Need::RESTITUTION)
+                && self.restitution.replace(Some((list.len(), e))).is_some()
+            {
+                f.hint(n, "two joints act in the impact alone", "only one has `restitution`");
+            }
             list.extend(kind.map(|kind| Joint { name: name.to_owned(), kind }));
         }
         list
@@ -380,6 +390,27 @@ impl SceneReader<'_> {
         Some(JointKind::Guide { at, line, reversed, one_sided, mu_k })
     }
 
+    /// How a body moves just before an impact.
+    pub(super) fn arrives(&self, node: &Node, turns: bool) -> Option<Arrives> {
+        let mut fields = Fields::open(node, "how it moves just before the impact (speed, direction, spin)", self.faults)?;
+        let velocity = match fields.get("speed") {
+            Some(speed) => {
+                let direction = fields.need("direction", "right").and_then(|n| self.direction(n, &WHITHER));
+                self.at_start(speed, Need::VELOCITY).zip(direction).map(|(v, direction)| Some([v, direction]))
+            }
+            None => Some(None),
+        };
+        let spin = match fields.get("spin").filter(|_| turns) {
+            Some(spin) => self.at_start(spin, Need::SPIN),
+            None if velocity == Some(None) => {
+                let hint = "write `{speed: v, direction: right}`, or `{spin: w}` of what turns";
+                self.faults.refuse_with(node, "it has no velocity before the impact", hint)
+            }
+            None => Some(Num::Fixed(0.0)),
+        };
+        Some(Arrives { velocity: velocity?, spin_rad_s: spin? })
+    }
+
     /// A force on a point of a body in the plane, or a blow.
     pub(super) fn push(&self, node: &Node, bodies: &[Body], count: usize, blow: bool) -> Option<Push> {
         let f = self.faults;
@@ -391,11 +422,10 @@ impl SceneReader<'_> {
         let toward = if blow { None } else { fields.get("toward") };
         let given = turning.is_some() || toward.is_some();
         let towards = if given { None } else { fields.need("direction", "right") };
-        let words = [("right", 0.0), ("up", 90.0), ("left", 180.0), ("down", -90.0)];
         let direction = match (turning, towards) {
             (Some(n), _) => self.number(n, Need::ANGLE),
             (None, None) if toward.is_some() => Some(Num::Fixed(0.0)),
-            (None, n) => n.and_then(|n| self.direction(n, &words)),
+            (None, n) => n.and_then(|n| self.direction(n, &WHITHER)),
         };
         let toward_m = toward.and_then(|n| self.place(n)).map(|(x, y)| [x, y]);
         let name = own_name(&mut fields, symbol, count);

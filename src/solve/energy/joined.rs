@@ -214,8 +214,7 @@ impl<T: Real> Account<'_, T> {
             let unit = self.rates(&first);
             let gained = self.powers(&first, &unit, true).into_iter().fold(T::zero(), |sum, p| sum + p);
             // What strikes straight at a joint moves nothing.
-            let blows = scene.pushes.iter().filter(|p| p.blow);
-            let blows: f64 = blows.map(|p| self.n.massive(p.force_n).size()).sum();
+            let blows = pose::blows(scene, self.n);
             let fastest = unit.iter().flatten().map(|x| x.size()).fold(0.0, f64::max);
             let gained = gained.cleared(blows * fastest) / self.inertia(&first);
             spin = spin.balance(gained);
@@ -868,9 +867,15 @@ impl<'a, T: Real> Account<'a, T> {
 
     /// An instant: of one freedom with any rate, of several from rest.
     fn instant(&mut self, spin: T, road: &mut Road<T>) -> Result<(), Refusal> {
-        let poses = self.placed()?;
-        if self.scene.is_struck() {
-            let jump = self.sets_off(&poses, true)?;
+        let (scene, poses) = (self.scene, self.placed()?);
+        if scene.is_struck() {
+            let mut jump = self.sets_off(&poses, true)?;
+            if let Some((_, e)) = scene.restitution {
+                let e = plant!("energy: restitution", self.n.get(e));
+                for (v, before) in jump.iter_mut().flatten().zip(self.before(&poses).iter().flatten()) {
+                    *v = v.balance(e * v.apart(*before));
+                }
+            }
             let mut after = jump.clone();
             if !spin.is_zero() {
                 // How it moves is told by what guides it on the way, as a light rod does.

@@ -552,6 +552,12 @@ impl<'a, T: Real> Mechanism<'a, T> {
             force(push.at.body, u.map(|x| x * p), self.lever(poses, push.at));
         }
         if blows {
+            for (b, before) in self.before(poses) {
+                let momenta = self.inertias(b).into_iter().zip(before);
+                for (impulse, (inertia, v)) in forces[b].iter_mut().zip(momenta) {
+                    *impulse = impulse.balance(inertia * v);
+                }
+            }
             return forces;
         }
         for (s, (strut, natural)) in self.scene.struts.iter().zip(&self.natural).enumerate() {
@@ -672,7 +678,55 @@ impl<'a, T: Real> Mechanism<'a, T> {
     ///
     /// Errors: as for [`Self::respond`].
     pub fn struck(&self, state: &State<T>) -> Result<Response<T>, Refusal> {
-        self.answer(state, &state.rows, &self.forces(&state.poses, true), false)
+        let mut after = self.answer(state, &state.rows, &self.forces(&state.poses, true), false)?;
+        if let Some((joint, e)) = self.scene.restitution {
+            if LOOKED_THROUGH && !self.held_before(state, joint) {
+                return Err(Refusal::Unsupported(Unsupported::HeldBefore));
+            }
+            // What the joints would give if they held, and as much again for each part that springs back.
+            let e = plant!("eom: restitution", self.n.get(e));
+            let impulses = after.forces.iter_mut().flatten().map(|(constant, _)| constant);
+            let velocities = after.moves[0].iter_mut().flatten();
+            impulses.chain(velocities).for_each(|x| *x = x.balance(e * *x));
+            for (b, before) in self.before(&state.poses) {
+                for (v, before) in after.moves[0][b].iter_mut().zip(before) {
+                    *v = v.balance(-(e * before));
+                }
+            }
+        }
+        Ok(after)
+    }
+    /// Do the bodies move just before an impact as all joints but this one allow?
+    fn held_before(&self, state: &State<T>, impact: usize) -> bool {
+        let mut before: SmallVec<[T; 12]> = smallvec![T::zero(); self.columns];
+        for (b, v) in self.before(&state.poses) {
+            let own = if self.turns(b) { 3 } else { 2 };
+            before[self.first[b]..][..own].copy_from_slice(&v[..own]);
+        }
+        let fastest: f64 = before.iter().map(|v| v.size()).sum();
+        state.rows.iter().filter(|row| row.joint != impact).all(|row| {
+            let mut speed = T::zero();
+            self.speeds(row, |at, x| speed = speed + x * before[at]);
+            speed.size() <= PIERCED * fastest * (1.0 + self.size())
+        })
+    }
+    /// The velocities of bodies just before an impact: of the mass centre, and of the turn.
+    fn before<'p>(&'p self, poses: &'p Poses<T>) -> impl Iterator<Item = (usize, [T; 3])> {
+        self.scene.arrivals().map(|(b, arrives, about)| {
+            let spin = self.n.get(arrives.spin_rad_s).signed(self.sense(b));
+            let [vx, vy] = match (arrives.velocity, about) {
+                (Some([speed, direction]), _) => {
+                    let speed = plant!("eom: speed before an impact", self.n.get(speed));
+                    pose::direction(self.n, direction).map(|u| u * speed)
+                }
+                (None, Some(pin)) => {
+                    let [x, y] = self.lever(poses, pin);
+                    [spin * y, -(spin * x)]
+                }
+                (None, None) => [T::zero(); 2],
+            };
+            (b, [vx, vy, plant!("eom: spin before an impact", spin)])
+        })
     }
     /// The state with the velocities that the bodies have after a blow: those at this rate before it, and their jumps.
     pub fn after(&self, mut state: State<T>, rate: T, jumps: &Response<T>) -> State<T> {

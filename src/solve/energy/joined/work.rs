@@ -8,7 +8,7 @@ use crate::solve::energy::joined::{
     Account, At, Between, Motion, Poses, SMOOTH, STEP, Seen, Stretch, TURNS_OF_ITERATION, Vector, dot, least,
 };
 use crate::solve::outcome::Refusal;
-use smallvec::SmallVec;
+use smallvec::{SmallVec, smallvec};
 use std::rc::Rc;
 
 impl<T: Real> Account<'_, T> {
@@ -38,7 +38,9 @@ impl<T: Real> Account<'_, T> {
     pub fn powers(&self, poses: &Poses<T>, motion: &Motion<T>, blows: bool) -> SmallVec<[T; 6]> {
         let mut powers: SmallVec<[T; 6]> = SmallVec::new();
         if blows {
-            return self.pushed(poses, motion, true).collect();
+            powers.extend(self.pushed(poses, motion, true));
+            powers.extend(self.brought(poses, motion));
+            return powers;
         }
         for (b, numbers) in self.n.bodies.iter().enumerate() {
             let velocity = self.velocity(poses, motion, b, self.centres[b].0);
@@ -62,6 +64,38 @@ impl<T: Real> Account<'_, T> {
             let p = plant!("energy: power of a force on a point", self.n.massive(push.force_n));
             p * dot(u, self.of_spot(poses, motion, push.at))
         })
+    }
+
+    /// What the momenta before an impact, those of equimomental particles, come to in a motion.
+    fn brought(&self, poses: &Poses<T>, motion: &Motion<T>) -> impl Iterator<Item = T> {
+        let before = self.before(poses);
+        self.scene.arrivals().flat_map(move |(b, ..)| {
+            let (centre, gyration) = self.centres[b];
+            [centre + gyration, centre - gyration].map(|along| {
+                let half = plant!("energy: momentum before an impact", self.n.bodies[b].mass.scale2(-1));
+                half * dot(self.velocity(poses, &before, b, along), self.velocity(poses, motion, b, along))
+            })
+        })
+    }
+    /// The motion just before an impact.
+    pub fn before(&self, poses: &Poses<T>) -> Motion<T> {
+        let mut before: Motion<T> = smallvec![[T::zero(); 3]; self.scene.bodies.len()];
+        for (b, arrives, about) in self.scene.arrivals() {
+            let spin = self.n.get(arrives.spin_rad_s).signed(self.counts(b));
+            before[b] = [T::zero(), T::zero(), spin];
+            // The origin of its axis moves so that the point about which it turns does not, or its mass centre as it is told to.
+            let turned = match about {
+                Some(pin) => self.of_spot(poses, &before, pin),
+                None => self.velocity(poses, &before, b, self.centres[b].0),
+            };
+            let moves = arrives.velocity.map_or([T::zero(); 2], |[speed, direction]| {
+                pose::direction(self.n, direction).map(|u| u * self.n.get(speed))
+            });
+            for i in [0, 1] {
+                before[b][i] = moves[i].balance(-turned[i]);
+            }
+        }
+        before
     }
 
     /// Powers of forces, couples and springs.

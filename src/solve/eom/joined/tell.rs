@@ -210,8 +210,7 @@ impl<T: Real> Teller<'_, '_, T> {
 
     /// Sum of the magnitudes of all impulses that strike.
     pub fn blows(&self) -> f64 {
-        let blows = self.scene.pushes.iter().filter(|p| p.blow);
-        blows.map(|p| self.n.massive(p.force_n).size()).sum()
+        pose::blows(self.scene, self.n)
     }
 
     /// What the moments of all forces about one another come to at most, N m.
