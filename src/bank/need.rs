@@ -1,6 +1,8 @@
 //! What the numbers of a scene are used for: words, unit, admissible values and an example of each use, in one table.
 
 use crate::finding::{only_told, told};
+use crate::scene::Rule;
+use crate::scene::admissible::fits_rule;
 
 /// What a number is used for: it decides unit and admissible values.
 #[derive(Debug, Clone, Copy)]
@@ -33,6 +35,8 @@ const ACUTE: Range = (|x| x > -90.0 && x < 90.0, "between -90 and 90 degrees", "
 const LEFT_OF_IT_LEFT: Range = (|x| x > 0.0 && x < 180.0, "between 0 and 180 degrees", "");
 const A_TURN: Range = (|x| (-360.0..=360.0).contains(&x), "from -360 to 360 degrees", "");
 
+const TURNS: Range = (|x| fits_rule(x, Rule::Turns), "within 20 turns, 7200 degrees", "");
+
 const fn need(words: &'static str, unit: &'static str, range: Range, example: &'static str) -> Need {
     let (admits, rule, instead) = range;
     Need { words, unit, range: (admits, only_told(rule), only_told(instead)), example: only_told(example) }
@@ -60,6 +64,7 @@ impl Need {
     pub const TURN: &Self = &need("an angle", "rad", NOT_NEGATIVE, "3 rad");
     pub const PLACE: &Self = &need("a place", "m", ANY, "0.25 m");
     pub const TIME: &Self = &need("a time", "s", NOT_NEGATIVE, "2 s");
+    pub const ANGLE_REACHED: &Self = &need("an angle", "deg", TURNS, "30 deg");
     pub const ANGLE: &Self = &need("an angle", "deg", A_TURN, "30 deg");
     pub const PUSHES_UP: &Self = &need("an angle of a line that pushes up", "deg", ACUTE, "30 deg");
     pub const PUSHES_LEFT: &Self = &need("an angle of a line that pushes left", "deg", LEFT_OF_IT_LEFT, "30 deg");

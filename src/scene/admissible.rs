@@ -15,6 +15,8 @@ pub enum Rule {
     Slope,
     /// From -360 to 360 degrees.
     Angle,
+    /// An angle that is reached, in [`TURNS`] at most.
+    Turns,
     /// A stretch that is not above the length of the spring at the start.
     Stretch,
     /// 0, or of a magnitude from [`LEAST`] to [`MOST`]: beyond, products of a few data leave the doubles.
@@ -37,6 +39,8 @@ impl Rule {
     }
 }
 
+/// So many turns does a body make at most up to an angle that it reaches.
+pub const TURNS: f64 = 20.0;
 /// The least magnitude of a datum that is not 0, SI.
 pub const LEAST: f64 = 1e-150;
 /// The greatest magnitude of a datum, SI.
@@ -99,6 +103,7 @@ pub fn fits_rule(value: f64, rule: Rule) -> bool {
         Rule::NotNegative => value.is_finite() && value >= 0.0,
         Rule::Slope => (0.0..=90.0).contains(&value),
         Rule::Angle => (-360.0..=360.0).contains(&value),
+        Rule::Turns => value.abs() <= TURNS * 360.0,
         Rule::Stretch | Rule::NotAbove(_) | Rule::Inside(_) | Rule::Unlike(_) => true,
     }
 }

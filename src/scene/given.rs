@@ -2,8 +2,8 @@
 //! order of the scene: one table, for those who look and for those who change the numbers.
 use crate::scene::Rule::{self, Angle, Finite, Inside, NotAbove, NotNegative, Positive, Stretch, Unlike};
 use crate::scene::{
-    Arrives, Attach, Body, CordEnd, Degree, End, Far, JointKind, Mass, Num, Place, Rest, RotaryInertia, Scene, Shape,
-    Slope, Start, Straight, StrutEnd, Surface, Tie,
+    Arrives, Attach, Body, CordEnd, Degree, End, Far, JointKind, Mass, Num, Place, Rest, RotaryInertia,
+    Scene, Shape, Slope, Start, Straight, StrutEnd, Surface, Tie,
 };
 
 /// Degrees, and the slope of a surface.
@@ -99,7 +99,7 @@ macro_rules! walks {
                     End::Position(c, s) => tell(s, (way(c.degree), &[Finite])),
                     End::Time(_, t) => tell(t, ("s", &[NotNegative])),
                     End::Speed(c, v) => tell(v, (speed(c.degree), &[NotNegative])),
-                    End::Angle(_, angle) => tell(angle, ANGLE),
+                    End::Angle(_, angle) => tell(angle, ("1", &[Rule::Turns])),
                 }
             }
 

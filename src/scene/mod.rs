@@ -31,8 +31,8 @@ pub use link::{Action, Attach, Cord, CordEnd, Far, Made, Rubbing, Side, SpringTi
 pub use motion::{Carrier, Coordinate, Degree, End, Heading, Span, Start, Thrown};
 pub use numbers::{BodyNumbers, Carried, Numbers, speed};
 pub use planar::{
-    Acts, Arrives, Branch, Joint, JointKind, Place, Planar, Push, Ray, Rest, Spot, Straight, Strut, StrutEnd, Surface,
-    on_axis,
+    Acts, Arrives, Branch, Joint, JointKind, Place, Planar, Push, Ray, Rest, Spot, Straight, Strut, StrutEnd,
+    Surface, on_axis,
 };
 pub use scales::Scales;
 

@@ -396,7 +396,9 @@ impl Scene {
         let mut acts: Vec<Spot> = self.pushes.iter().map(|push| push.at).collect();
         let mut turned: Vec<usize> = self.couples.iter().map(|couple| couple.body).collect();
         turned.extend(self.start_speeds().map(|(c, _)| c.body));
-        let spins = |b: &Body| b.planar.as_ref().and_then(|p| p.arrives).is_some_and(|a| a.spin_rad_s != Num::Fixed(0.0));
+        let spins = |b: &Body| {
+            b.planar.as_ref().and_then(|p| p.arrives).is_some_and(|a| a.spin_rad_s != Num::Fixed(0.0))
+        };
         turned.extend((0..self.bodies.len()).filter(|b| spins(&self.bodies[*b])));
         for joint in &self.joints {
             let turns = matches!(

@@ -11,12 +11,12 @@ mod plan;
 use crate::num::half::Half;
 use crate::num::jet::Followed;
 use crate::num::plant::plant;
-use crate::num::{Jet, Real, U, root, trig};
+use crate::num::{Dd, Jet, Real, U, root, trig};
 use crate::scene::numbers::BodyNumbers;
 use crate::scene::pose::plan::Planner;
 use crate::scene::{
-    Arrives, Coordinate, Degree, End, Joint, JointKind, Num, Numbers, Place, Planar, Ray, Rest, Scene, Spot, Straight,
-    Strut, Surface,
+    Arrives, Coordinate, Degree, End, Joint, JointKind, Num, Numbers, Place, Planar, Ray, Rest, Scene, Spot,
+    Straight, Strut, Surface,
 };
 use smallvec::{SmallVec, smallvec};
 use std::borrow::Cow;
@@ -208,6 +208,12 @@ pub fn turned_from<T: Real>(planar: &Planar, axis: [T; 2], from: [T; 2]) -> T {
         return T::of(f64::NAN);
     }
     trig::angle(across, along).signed(sense(planar))
+}
+
+/// The angle of an axis, as its body counts it: within half a turn.
+pub fn angle_of<T: Real>(planar: &Planar, axis: [T; 2]) -> T {
+    let turned = turned_from(planar, axis, planar.from.components().map(T::of));
+    if turned.f64().is_nan() { T::constant(Dd::PI) } else { turned }
 }
 
 /// A joint holds whose points are no farther apart than this share of the size of everything: printed decimals of a place are rounded.

@@ -49,7 +49,7 @@ const ENDS: [(&str, EndForm); 13] = [
         true => End::Rolling(along(body)),
         false => End::TurningPoint(along(body)),
     })),
-    ("angle", EndForm::Value("reaches", "phi1", Need::ANGLE, Need::ANGLE, End::Angle)),
+    ("angle", EndForm::Value("reaches", "phi1", Need::ANGLE_REACHED, Need::ANGLE_REACHED, End::Angle)),
     ("rise", EndForm::Height(true)),
     ("descent", EndForm::Height(false)),
     ("unwinds", EndForm::Unwinds),

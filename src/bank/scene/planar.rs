@@ -4,8 +4,8 @@ use crate::bank::node::{Fields, Node, Value, WHOLE, named, shorten};
 use crate::bank::scene::{SceneReader, plain_name};
 use crate::finding::{only_told, told};
 use crate::scene::{
-    Acts, Arrives, Body, Branch, Joint, JointKind, Num, Place, Planar, Push, Ray, Rest, Spot, Straight, Strut,
-    StrutEnd, Surface, on_axis,
+    Acts, Arrives, Body, Branch, Joint, JointKind, Num, Place, Planar, Push, Ray, Rest, Spot, Straight,
+    Strut, StrutEnd, Surface, on_axis,
 };
 use crate::units::spell;
 
@@ -247,11 +247,9 @@ impl SceneReader<'_> {
                 if one.body == other.body {
                     return self.faults.refuse(node, "a hinge or a weld joins two bodies");
                 }
-                if welded && ![one, other].iter().all(|spot| bodies[spot.body].turns) {
-                    let hint = "give both a shape or another inertia; a particle is stuck on with `hinges`";
-                    return self.faults.refuse_with(node, "a weld joins bodies that turn", hint);
-                }
-                let turned_deg = turned?.or(welded.then_some(Num::Fixed(0.0)));
+                // A particle is stuck on: it has no turn that the weld would hold.
+                let holds = welded && [one, other].iter().all(|spot| bodies[spot.body].turns);
+                let turned_deg = turned?.or(Some(Num::Fixed(0.0))).filter(|_| holds);
                 Some(JointKind::Hinge { one, other, turned_deg })
             }
             _ => {
@@ -392,7 +390,8 @@ impl SceneReader<'_> {
 
     /// How a body moves just before an impact.
     pub(super) fn arrives(&self, node: &Node, turns: bool) -> Option<Arrives> {
-        let mut fields = Fields::open(node, "how it moves just before the impact (speed, direction, spin)", self.faults)?;
+        let mut fields =
+            Fields::open(node, "how it moves just before the impact (speed, direction, spin)", self.faults)?;
         let velocity = match fields.get("speed") {
             Some(speed) => {
                 let direction = fields.need("direction", "right").and_then(|n| self.direction(n, &WHITHER));

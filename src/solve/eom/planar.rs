@@ -958,9 +958,13 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let kind = &self.scene.joints[joint].kind;
         (kind.is_one_sided() || kind.rubs().is_some()).then(|| response.forces[self.held[joint]])?
     }
-    /// Height of a mass centre.
+    /// Place of a mass centre.
+    pub fn place_of(&self, state: &State<T>, body: usize) -> Vector<T> {
+        self.centre(&state.poses, body)
+    }
+    /// Its height.
     pub fn height(&self, state: &State<T>, body: usize) -> T {
-        self.centre(&state.poses, body)[1]
+        self.place_of(state, body)[1]
     }
     /// How far a spring is longer than it naturally is, or the body of a torsion spring turned beyond where that is relaxed; 0 where it
     /// does not act.
