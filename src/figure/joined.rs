@@ -6,7 +6,7 @@ use crate::picture::board::{Board, LabelTie, MIDDLE_FIRST, on_arc};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Role, TextRun, symbol};
 use crate::scene::{
-    Acts, Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Planar, Push, Quantity, Rest,
+    Acts, Arrives, Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Planar, Push, Quantity, Rest,
     RotaryInertia, Scene, Shape, Spot, Straight, Strut, StrutEnd, Surface, pose,
 };
 use crate::words::plain::capital;
@@ -1075,7 +1075,18 @@ fn loads(board: &mut Board, view: &SceneView, plane: &PlaneLayout) {
         board.label(vec![label], Role::Force, (LabelTie::Clear, 5.0), spots);
     }
     for (b, laid) in plane.start.iter().enumerate() {
-        for (_, num) in view.started(b).filter(|(degree, _)| *degree == Degree::Turn) {
+        let started = view.started(b).filter(|(degree, _)| *degree == Degree::Turn).map(|(_, num)| num);
+        let arrives = view.scene.planar(b).and_then(|planar| planar.arrives);
+        if let Some([speed, direction]) = arrives.and_then(|arrives| arrives.velocity) {
+            let (from, towards) = (plane.centre(view, &plane.start, b), Vec2::at_degrees(view.of(direction)));
+            let tip = from + towards * 56.0;
+            board.arrow(from, tip, Role::Motion);
+            let middle = from.middle(tip);
+            let spots = vec![(tip, towards), (middle, towards.left()), (middle, towards.right())];
+            board.wish(view.label(speed, "m/s"), spots, Role::Motion);
+        }
+        let arriving = arrives.map(|arrives| arrives.spin_rad_s).filter(|spin| view.of(*spin) != 0.0);
+        for num in started.chain(arriving) {
             let clockwise = view.scene.planar(b).is_some_and(|p| p.clockwise);
             let sense = if clockwise == (view.of(num) >= 0.0) { -1.0 } else { 1.0 };
             let mid = laid.axis.angle_of();
@@ -1133,9 +1144,21 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
         let name = if push.toward_m.is_some() { "pull" } else { name };
         let force = say::text(view, push.force_n, unit);
         let to = push.toward_m.map_or_else(String::new, |place| teller.place(place));
-        let way = teller.way(push);
+        let way = push.toward_m.map_or_else(|| teller.way(push.direction_deg, push.turns), |_| String::new());
         let pieces = [("force", &*force), ("point", &teller.called(push.at)), ("place", &to), ("way", &way)];
         out.push(say(name, &pieces));
+    }
+    for (b, Arrives { velocity, spin_rad_s }, _) in view.scene.arrivals() {
+        let mut arrives = |name: &str, size: String, way: &str| {
+            let the = names::the_body(view.words, view.scene, b);
+            out.push(say(name, &[("the", &the), ("size", &size), ("way", way)]));
+        };
+        if let Some([speed, direction]) = velocity {
+            arrives("arrives", say::text(view, speed, "m/s"), &teller.way(direction, false));
+        }
+        if view.of(spin_rad_s) != 0.0 {
+            arrives("arrives_turning", say::text(view, spin_rad_s, "rad/s"), "");
+        }
     }
     out.extend(view.scene.struts.iter().map(|strut| teller.strut(strut)));
     // The letter of a point stays as it is.
@@ -1184,12 +1207,11 @@ impl Teller<'_, '_> {
             }
         }
     }
-    /// Whither a force acts.
-    fn way(&self, push: &Push) -> String {
-        let angle = say::text(self.view, push.direction_deg, "°");
-        let name = match push.direction_deg {
-            _ if push.toward_m.is_some() => return String::new(),
-            _ if push.turns => "from_axis",
+    /// Whither a force acts, or a body moves.
+    fn way(&self, direction_deg: Num, turns: bool) -> String {
+        let angle = say::text(self.view, direction_deg, "°");
+        let name = match direction_deg {
+            _ if turns => "from_axis",
             Num::Fixed(0.0) => "to.right",
             Num::Fixed(90.0) => "to.up",
             Num::Fixed(180.0) => "to.left",

@@ -607,6 +607,7 @@ mod tests {
             ties: vec![],
             couples: vec![],
             joints: vec![],
+            restitution: None,
             pushes: vec![],
             struts: vec![],
             growths: vec![],

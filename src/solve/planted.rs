@@ -1,9 +1,9 @@
 //! Proof that the agreement of the roads catches mechanical errors: each named term of each road is spoiled in turn.
 use crate::num::plant;
 use crate::scene::{
-    Acts, Attach, Body, Carrier, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Formulas, GivenForce,
-    Growth, Joint, JointKind, Law, Line, Made, Mass, Num, Particle, Place, Planar, Push, Ray, Rest,
-    RotaryInertia, Scene, Side, Slope, Span, Spot, Start, Straight, Strut, StrutEnd, Surface, Tie,
+    Acts, Arrives, Attach, Body, Carrier, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Formulas,
+    GivenForce, Growth, Joint, JointKind, Law, Line, Made, Mass, Num, Particle, Place, Planar, Push, Ray,
+    Rest, RotaryInertia, Scene, Side, Slope, Span, Spot, Start, Straight, Strut, StrutEnd, Surface, Tie,
 };
 use crate::solve::agree::solve;
 use std::collections::BTreeSet;
@@ -278,6 +278,25 @@ fn welded() -> Scene {
     scene
 }
 
+/// A rod on a pin that is struck by another one, and throws it back.
+fn thrown_back() -> Scene {
+    let mut scene = scene(vec![rod("one", Some(0.0)), rod("other", Some(40.0))], Vec::new(), 1.0);
+    let arrives = [(None, -4.0), (Some([f(3.0), f(-70.0)]), 2.0)];
+    for (body, (velocity, spin)) in scene.bodies.iter_mut().zip(arrives) {
+        if let Some(planar) = &mut body.planar {
+            planar.arrives = Some(Arrives { velocity, spin_rad_s: f(spin) });
+            planar.origin_m = velocity.map(|_| [f(1.1), f(0.0)]);
+        }
+    }
+    let rail = line(Some(spot(0, 0)), 0.0);
+    let meets =
+        JointKind::Guide { at: spot(1, 0), line: rail, reversed: false, one_sided: false, mu_k: None };
+    scene.joints = vec![joint(JointKind::Pin { at: spot(0, 0), place_m: [f(0.0); 2] }), joint(meets)];
+    scene.restitution = Some((1, f(0.6)));
+    scene.end = End::AtOnce;
+    scene
+}
+
 /// A rod on a cord, let go.
 fn hanging() -> Scene {
     let mut scene = scene(vec![rod("rod", Some(15.0))], Vec::new(), 1.0);
@@ -511,6 +530,7 @@ fn joined() -> Vec<(&'static str, Scene)> {
             carried(Scene { end: End::Equilibrium, ..guided(None, 38.0) }),
         ),
         ("slider-crank, struck", struck(linkage(true))),
+        ("rod that throws another one back", thrown_back()),
         ("slider-crank, driven", {
             let mut scene = linkage(true);
             scene.bodies[0].planar.iter_mut().for_each(|p| p.driven = Some(f(2.0)));

@@ -43,6 +43,7 @@ fn pulled(slip: bool) -> (Scene, Vec<f64>) {
         ],
         couples: vec![],
         joints: Vec::new(),
+        restitution: None,
         pushes: Vec::new(),
         struts: Vec::new(),
         growths: vec![],

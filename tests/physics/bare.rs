@@ -9,6 +9,7 @@ pub fn scene(gravity_m_s2: Num, bodies: Vec<Body>, end: End) -> Scene {
         ties: Vec::new(),
         couples: Vec::new(),
         joints: Vec::new(),
+        restitution: None,
         pushes: Vec::new(),
         struts: Vec::new(),
         growths: Vec::new(),

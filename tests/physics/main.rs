@@ -23,6 +23,7 @@ mod counterweights;
 mod expressions;
 mod extremes;
 mod growing;
+mod impacts;
 mod joined;
 mod joined_edges;
 mod joined_ends;

@@ -107,6 +107,8 @@ fn swinging(scene: &str) -> String {
         ("l0", "m"),
         ("kt", "N*m/rad"),
         ("a0", "m/s^2"),
+        ("ma", "kg"),
+        ("v0", "m/s"),
         ("phi0", "deg"),
         ("w0", "rad/s"),
         ("phi1", "deg"),

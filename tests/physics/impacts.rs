@@ -1,0 +1,166 @@
+//! Impacts of bodies that move, what joined bodies are together, and turns without end, against formulas by hand and printed results.
+use crate::joined::{all_near, constants, read, told};
+use slipstick::solve::agree;
+use slipstick::solve::outcome::{Refusal, Unsupported};
+
+const G: f64 = 9.81;
+
+/// Two discs are coupled: `I_A w_A + I_B w_B = (I_A + I_B) w`.
+#[test]
+fn two_discs_are_coupled() {
+    let scene = "
+bodies:
+  a: {mass: 4 kg, moment of inertia: 0.04 kg*m^2, moves: in the plane}
+  b: {mass: 3 kg, moment of inertia: 0.02 kg*m^2, moves: in the plane}
+joints: {O: {pins: a.A}, clutch: {welds: [a.A, b.A]}}
+start: {a: {angle: 0 deg, arrives: {spin: 50 rad/s}}, b: {arrives: {spin: 200 rad/s}}}
+end: at once
+";
+    let w = (0.04 * 50.0 + 0.02 * 200.0) / 0.06;
+    all_near(&told(scene, &["a.omega", "b.omega", "kinetic_energy"]), &[w, w, 0.03 * w * w], 1e-13);
+}
+
+const BULLET: &str = "
+bodies:
+  rod:    {mass: 5 kg, shape: {rod: 1 m}, moves: in the plane, angle: from hanging, points: {O: 0 m, P: 0.75 m}}
+  bullet: {mass: 0.004 kg, moves: in the plane}
+joints: {O: {pins: rod.O}, P: {welds: [rod.P, bullet]}}
+start: {rod: {angle: 0 deg}, bullet: {arrives: {speed: 400 m/s, direction: 330 deg}}}
+end: {turning point: rod}
+";
+
+/// Hibbeler, *Engineering Mechanics: Dynamics*, 14th edition, example 19.7: a bullet stays in a rod, 0.622 rad/s; it swings as high
+/// as its energy lets it.
+#[test]
+fn a_bullet_stays_in_a_rod() {
+    let about = 5.0 / 3.0 + 0.004 * 0.75 * 0.75;
+    let w = 0.004 * 400.0 * f64::to_radians(30.0).cos() * 0.75 / about;
+    assert_eq!(format!("{w:.3}"), "0.622");
+    all_near(
+        &told(&BULLET.replace("{turning point: rod}", "at once"), &["rod.omega", "O.I_O"]),
+        &[w, about],
+        1e-13,
+    );
+    let swing = (1.0 - about * w * w / (2.0 * G * (2.5 + 0.004 * 0.75))).acos();
+    all_near(&told(BULLET, &["rod.phi", "rod.angle"]), &[swing, swing], 1e-12);
+}
+
+const THROWN_BACK: &str = "
+bodies:
+  rod:  {mass: 5 kg, shape: {rod: 1 m}, moves: in the plane, angle: from hanging}
+  ball: {mass: 1 kg, moves: in the plane, placed: [0 m, -0.8 m]}
+joints:
+  O:   {pins: rod.A}
+  hit: {guides: ball, on: rod.A, along: 0 deg, restitution: 0.4}
+start: {rod: {angle: 0 deg, arrives: {spin: -1.5 rad/s}}, ball: {arrives: {speed: 6 m/s, direction: right}}}
+end: at once
+";
+
+/// `P (1/m + h^2/I) = (1 + e) (v - w_0 h)`: a ball is thrown back by a rod that turns toward it.
+#[test]
+fn a_rod_throws_a_ball_back() {
+    let (m, h, about) = (1.0, 0.8, 5.0 / 3.0);
+    let of = |e: f64| {
+        let p = (1.0 + e) * (6.0 + 1.5 * h) / (1.0 / m + h * h / about);
+        let (w, v) = (-1.5 + p * h / about, 6.0 - p / m);
+        let energy = 0.5 * about * w * w + 0.5 * m * v * v;
+        [w.abs(), v, p, 5.0 * 0.5 * (w + 1.5) - p, energy]
+    };
+    let names = ["rod.omega", "ball.v_x", "hit.impulse", "O.impulse_x", "kinetic_energy"];
+    for e in [0.0, 0.4, 1.0] {
+        let mut found = told(&THROWN_BACK.replace("0.4}", &format!("{e}}}")), &names);
+        found[2] = found[2].abs();
+        all_near(&found, &of(e), 1e-13);
+    }
+    // Nothing is lost where it is elastic.
+    all_near(&of(1.0)[4..], &[0.5 * about * 1.5 * 1.5 + 18.0], 1e-13);
+}
+
+/// Hibbeler, example 19.6: a wheel meets a step, about whose edge it turns; 0.729 m/s are just enough.
+#[test]
+fn a_wheel_rolls_over_a_step() {
+    let scene = |v: f64| {
+        format!(
+            "
+bodies: {{wheel: {{mass: 10 kg, moment of inertia: 0.156 kg*m^2, moves: in the plane, angle: from upright, mass centre: 0.2 m, points: {{O: 0 m}}}}}}
+joints: {{edge: {{pins: wheel.O}}}}
+start: {{wheel: {{angle: -31.788 deg, arrives: {{speed: {v} m/s, direction: right, spin: {} rad/s}}}}}}
+end: {{angle: {{of: wheel, reaches: 0 deg}}}}
+",
+            v / 0.2
+        )
+    };
+    let (about, lifted) = (0.556, 0.2 * (1.0 - f64::to_radians(31.788).cos()));
+    let w = (0.156 + 10.0 * 0.2 * (0.2 - lifted)) * 4.0 / about;
+    let top = (w * w - 2.0 * 10.0 * G * lifted / about).sqrt();
+    all_near(&told(&scene(0.8), &["omega"]), &[top], 1e-12);
+    let short = agree::solve(&constants(&scene(0.729)).problems[0].cases[0].scene, &[G]).unwrap();
+    assert!(short.checks.iter().any(|c| !c.ok));
+}
+
+/// What an impact does not go together with is refused by name.
+#[test]
+fn impacts_that_are_none_are_refused() {
+    let refused = |scene: String, words: &str| {
+        let found = read(&scene).expect_err("a finding").iter().map(ToString::to_string).collect::<String>();
+        assert!(found.contains(words), "{found}");
+    };
+    refused(THROWN_BACK.replace("at once", "{angle: {of: rod, reaches: 10 deg}}"), "`hit` has a restitution");
+    refused(THROWN_BACK.replace("restitution: 0.4", "restitution: 1.4"), "from 0 to 1");
+    refused(THROWN_BACK.replace(", restitution: 0.4", ", mu_k: 0.4"), "what friction does in a blow");
+    refused(THROWN_BACK.replace("{spin: -1.5 rad/s}", "{}"), "no velocity before the impact");
+    refused(THROWN_BACK.replace("arrives: {spin: -1.5 rad/s}", "spin: -1.5 rad/s"), "beside another one");
+    let bent = THROWN_BACK.replace("{spin: -1.5 rad/s}", "{speed: 1 m/s, direction: right}");
+    let solved = agree::solve(&constants(&bent).problems[0].cases[0].scene, &[G]);
+    assert!(matches!(solved, Err(Refusal::Unsupported(Unsupported::HeldBefore))), "{solved:?}");
+}
+
+/// Hibbeler, examples 17.4 and 19.1: two rods that are welded have their mass centre 0.75 m below the pin and 14.2 kg m^2 about it; a
+/// rod between two walls has 6.67 kg m^2/s about its mass centre.
+#[test]
+fn joined_bodies_tell_what_they_are_together() {
+    let rods = "
+bodies:
+  OA: {mass: 10 kg, shape: {rod: 1 m}, moves: in the plane, angle: from hanging}
+  BC: {mass: 10 kg, shape: {rod: 1 m}, moves: in the plane, points: {B: 0 m, A: 0.5 m, C: 1 m}}
+joints: {O: {pins: OA.A}, A: {welds: [OA.B, BC.A], turned: 90 deg}}
+start: {OA: {angle: 5 deg}}
+end: equilibrium
+";
+    let about = 10.0 / 3.0 + 10.0 / 12.0 + 10.0;
+    let found = told(rods, &["x_G", "y_G", "O.I_O", "I_G", "OA.angle"]);
+    all_near(&found, &[0.0, -0.75, about, about - 20.0 * 0.75 * 0.75, 0.0], 1e-13);
+    let bar = "
+bodies: {bar: {mass: 5 kg, shape: {rod: 4 m}, moves: in the plane, angle: from horizontal}}
+joints: {A: {guides: bar.A, along: horizontal}, B: {guides: bar.B, along: vertical}}
+start: {bar: {angle: 30 deg, spin: 1 rad/s}}
+end: at once
+";
+    let found = told(bar, &["angular_momentum", "y_G", "angle"]);
+    all_near(&found, &[20.0 / 3.0, 1.0, f64::to_radians(30.0)], 1e-13);
+}
+
+/// A planet gear on a driven arm after five turns: `J w^2/2 = M phi`, and the angle is 0 again.
+#[test]
+fn an_arm_makes_many_turns() {
+    let scene = |turns: f64| {
+        format!(
+            "
+bodies:
+  arm:  {{mass: 3 kg, shape: {{rod: 0.3 m}}, moves: in a horizontal plane, angle: from right}}
+  gear: {{mass: 1 kg, shape: {{disc: 0.1 m}}, moves: in a horizontal plane}}
+joints: {{O: {{pins: arm.A}}, A: {{hinges: [arm.B, gear.A]}}, sun: {{meshes: gear, radius: 0.1 m, outside: 0.2 m}}}}
+forces: [couple: {{on: arm, moment: 5 N*m}}]
+start: {{arm: {{angle: 0 deg}}}}
+end: {{angle: {{of: arm, reaches: {} deg}}}}
+",
+            360.0 * turns
+        )
+    };
+    let inertia = 3.0 * 0.09 / 3.0 + 1.0 * 0.09 + 0.005 * 9.0;
+    let phi = 10.0 * std::f64::consts::PI;
+    let found = told(&scene(5.0), &["arm.omega", "arm.phi", "t", "arm.angle"]);
+    let w = (2.0 * 5.0 * phi / inertia).sqrt();
+    all_near(&found, &[w, phi, 2.0 * phi / w, 0.0], 1e-12);
+    assert!(read(&scene(21.0)).is_err());
+}
