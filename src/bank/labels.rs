@@ -99,7 +99,7 @@ const fn why(quantity: Quantity) -> &'static str {
         Q::KBound => "it needs one wheel with a radius of gyration that rolls and is pulled",
         Q::XEq => "it needs a spring",
         Q::VMax | Q::DAtVMax | Q::DTurn => "it needs an end of a body on a line, and a spring or a speed at the start",
-        Q::XG | Q::YG | Q::IG => "it needs a body of particles, or bodies in the plane that are one, or welded together",
+        Q::XG | Q::YG | Q::IG => "it needs a body of particles",
         Q::IO | Q::PinRadial | Q::PinTangential | Q::PinForce | Q::PinX | Q::PinY | Q::PinAngle => "it needs a pinned body, or one about a fixed axle whose mass and whose cords' directions are told",
         Q::SpringForce => "it needs a spring on a pinned body",
         Q::OmegaMax | Q::Period => "it needs a pinned body that swings under its weight alone",
@@ -108,7 +108,6 @@ const fn why(quantity: Quantity) -> &'static str {
         Q::Drive => "it needs a driven body: `start: {crank: {angle: phi, spin: w, alpha: 0 rad/s^2}}` and `end: at once`",
         Q::ImpulseX | Q::ImpulseY => "it needs a pin or a hinge, and an impulse under `forces`",
         Q::Work => "it needs a motion on lines without a spring, and no slip from a speed at the start",
-        Q::Angle => "it needs a body that turns on a pin or in the plane",
         Q::VX | Q::VY | Q::AX | Q::AY => "it needs a body that moves in the plane",
         Q::T | Q::RotationalFraction | Q::KineticEnergy | Q::Direction => "it needs a motion, the time one without a force that grows with place",
         Q::Value => "it needs a question with `value:`",
@@ -170,7 +169,7 @@ fn pinned(scene: &Scene, body: usize, all: &mut Gathered) {
         couples(scene, all);
     }
     all.add(moves, Owner::Scene, &[Q::T]);
-    all.add(moves, of, &[Q::Phi, Q::Rise, Q::Angle]);
+    all.add(moves, of, &[Q::Phi, Q::Rise]);
     all.add(scene.is_pendulum(), of, &[Q::OmegaMax, Q::Period, Q::PeriodSmall, Q::OmegaSmall]);
     all.add(!scene.struts.is_empty(), of, &[Q::SpringForce]);
 }
@@ -290,15 +289,11 @@ fn joined(scene: &Scene, all: &mut Gathered) {
     if let Some(lead) = scene.lead() {
         all.add(moves, Owner::Body(lead), &[Q::Phi]);
     }
-    let rigid = scene.is_rigid();
-    all.add(rigid, Owner::Scene, &[Q::XG, Q::YG, Q::IG]);
     for (b, body) in scene.bodies.iter().enumerate() {
         all.add(body.turns && !still, Owner::Body(b), &[Q::AngularMomentum]);
-        all.add(body.turns, Owner::Body(b), &[Q::Angle]);
     }
     for (j, joint) in scene.joints.iter().enumerate() {
         let of = Owner::Joint(j);
-        all.add(rigid && matches!(joint.kind, JointKind::Pin { .. }), of, &[Q::IO]);
         all.add(scene.is_struck(), of, joint.kind.impulses());
         all.add(forces, of, joint.kind.forces());
         let holds = matches!(joint.kind, JointKind::Pin { .. } | JointKind::Hinge { .. });

@@ -1077,7 +1077,9 @@ fn loads(board: &mut Board, view: &SceneView, plane: &PlaneLayout) {
     for (b, laid) in plane.start.iter().enumerate() {
         let started = view.started(b).filter(|(degree, _)| *degree == Degree::Turn).map(|(_, num)| num);
         let arrives = view.scene.planar(b).and_then(|planar| planar.arrives);
-        if let Some([speed, direction]) = arrives.and_then(|arrives| arrives.velocity) {
+        if let Some(Arrives { speed_m_s: speed, direction_deg: direction, .. }) =
+            arrives.filter(|arrives| view.of(arrives.speed_m_s) != 0.0)
+        {
             let (from, towards) = (plane.centre(view, &plane.start, b), Vec2::at_degrees(view.of(direction)));
             let tip = from + towards * 56.0;
             board.arrow(from, tip, Role::Motion);
@@ -1148,17 +1150,15 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
         let pieces = [("force", &*force), ("point", &teller.called(push.at)), ("place", &to), ("way", &way)];
         out.push(say(name, &pieces));
     }
-    for (b, Arrives { velocity, spin_rad_s }, _) in view.scene.arrivals() {
-        let mut arrives = |name: &str, size: String, way: &str| {
-            let the = names::the_body(view.words, view.scene, b);
-            out.push(say(name, &[("the", &the), ("size", &size), ("way", way)]));
+    for (b, arrival) in view.scene.arrivals() {
+        let mut arrives = |name: &str, (num, unit): (Num, &str), way: &str| {
+            if view.of(num) != 0.0 {
+                let (the, size) = (names::the_body(view.words, view.scene, b), say::text(view, num, unit));
+                out.push(say(name, &[("the", &the), ("size", &size), ("way", way)]));
+            }
         };
-        if let Some([speed, direction]) = velocity {
-            arrives("arrives", say::text(view, speed, "m/s"), &teller.way(direction, false));
-        }
-        if view.of(spin_rad_s) != 0.0 {
-            arrives("arrives_turning", say::text(view, spin_rad_s, "rad/s"), "");
-        }
+        arrives("arrives", (arrival.speed_m_s, "m/s"), &teller.way(arrival.direction_deg, false));
+        arrives("arrives_turning", (arrival.spin_rad_s, "rad/s"), "");
     }
     out.extend(view.scene.struts.iter().map(|strut| teller.strut(strut)));
     // The letter of a point stays as it is.

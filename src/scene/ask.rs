@@ -118,8 +118,8 @@ quantities! {
     KineticEnergy "kinetic_energy" "J" Magnitude "kinetic energy at the end";
     RotationalFraction "rotational_fraction" "1" Magnitude "share of the kinetic energy that is rotational";
     Rise "rise" "m" Signed "height gained by the mass centre, negative when it sinks";
-    XG "x_G" "m" Signed "x of the mass centre; of joined bodies at the end, and of all that are welded together";
-    YG "y_G" "m" Signed "y of the mass centre; of joined bodies at the end, and of all that are welded together";
+    XG "x_G" "m" Signed "x of the mass centre";
+    YG "y_G" "m" Signed "y of the mass centre";
     IG "I_G" "kg*m^2" Magnitude "moment of inertia about the mass centre";
     IO "I_O" "kg*m^2" Magnitude "moment of inertia about the pin";
     PinRadial "pin_radial" "N" Signed "force of the pin on the body along the line to the mass centre, positive toward the pin";
@@ -137,7 +137,6 @@ quantities! {
     VY "v_y" "m/s" Signed "velocity of the mass centre up at the end";
     AX "a_x" "m/s^2" Signed "acceleration of the mass centre to the right at the end";
     AY "a_y" "m/s^2" Signed "acceleration of the mass centre up at the end";
-    Angle "angle" "rad" Signed "angle of the axis of a body at the end, within half a turn, as the body counts it";
     Direction "direction" "" Word "up or down (forward or back on a level)";
     Rolls "rolls" "" Word "yes if it could roll without slipping, else no";
 }
@@ -345,18 +344,8 @@ impl Scene {
     }
     /// Does an impulse or an impact set the bodies off?
     pub fn is_struck(&self) -> bool {
-        self.pushes.iter().any(|p| p.blow) || self.arrivals().next().is_some()
-    }
-    /// Are all bodies in the plane one, or welded together?
-    pub fn is_rigid(&self) -> bool {
-        let welds = |j: &&Joint| matches!(j.kind, JointKind::Hinge { turned_deg: Some(_), .. });
-        let particles = |j: &&Joint| match j.kind {
-            JointKind::Hinge { one, other, turned_deg: None } => {
-                [one, other].iter().any(|spot| !self.bodies[spot.body].turns)
-            }
-            _ => false,
-        };
-        self.joints.iter().filter(|j| welds(j) || particles(j)).count() + 1 == self.bodies.len()
+        self.pushes.iter().any(|p| p.blow)
+            || self.bodies.iter().any(|b| b.planar.as_ref().is_some_and(|p| p.arrives.is_some()))
     }
     /// Do the bodies move in a horizontal plane, in which no weight acts?
     pub fn lies_level(&self) -> bool {

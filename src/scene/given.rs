@@ -2,8 +2,8 @@
 //! order of the scene: one table, for those who look and for those who change the numbers.
 use crate::scene::Rule::{self, Angle, Finite, Inside, NotAbove, NotNegative, Positive, Stretch, Unlike};
 use crate::scene::{
-    Arrives, Attach, Body, CordEnd, Degree, End, Far, JointKind, Mass, Num, Place, Rest, RotaryInertia,
-    Scene, Shape, Slope, Start, Straight, StrutEnd, Surface, Tie,
+    Attach, Body, CordEnd, Degree, End, Far, JointKind, Mass, Num, Place, Rest, RotaryInertia, Scene, Shape,
+    Slope, Start, Straight, StrutEnd, Surface, Tie,
 };
 
 /// Degrees, and the slope of a surface.
@@ -164,12 +164,10 @@ macro_rules! walks {
                 tell(x, centre);
                 planar.start_deg.$iter().for_each(|angle| tell(angle, ANGLE));
                 planar.driven.$iter().for_each(|alpha| tell(alpha, ("rad/s^2", &[Finite])));
-                if let Some(Arrives { velocity, spin_rad_s }) = &$($change)? planar.arrives {
-                    if let Some([speed, direction]) = velocity {
-                        tell(speed, ("m/s", &[Finite]));
-                        tell(direction, ANGLE);
-                    }
-                    tell(spin_rad_s, ("rad/s", &[Finite]));
+                if let Some(arrives) = &$($change)? planar.arrives {
+                    tell(&$($change)? arrives.speed_m_s, ("m/s", &[Finite]));
+                    tell(&$($change)? arrives.direction_deg, ANGLE);
+                    tell(&$($change)? arrives.spin_rad_s, ("rad/s", &[Finite]));
                 }
                 planar.origin_m.$iter().flatten().for_each(|x| tell(x, PLACE));
             }

@@ -56,10 +56,11 @@ impl Planar {
 /// How a body moves just before an impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arrives {
-    /// Speed of its mass centre, m/s, and its direction, degrees counter-clockwise from the right; `None` of one that turns about its
-    /// pin, or about its mass centre.
-    pub velocity: Option<[Num; 2]>,
-    /// Its spin, rad/s, positive as its angle grows.
+    /// Speed of its mass centre, m/s. Where it is 0 a pinned body turns about its pin.
+    pub speed_m_s: Num,
+    /// Direction of that speed, degrees counter-clockwise from the right.
+    pub direction_deg: Num,
+    /// Spin, rad/s, positive as its angle grows.
     pub spin_rad_s: Num,
 }
 
@@ -444,15 +445,16 @@ impl Scene {
             planar.start_deg = Some(Num::Fixed(0.0));
         }
     }
-    /// The bodies that move just before an impact, and how; with the point of the body about which one turns whose velocity is not told.
-    pub fn arrivals(&self) -> impl Iterator<Item = (usize, Arrives, Option<Spot>)> {
-        self.bodies.iter().enumerate().filter_map(|(b, body)| {
-            let arrives = body.planar.as_ref()?.arrives?;
-            let pin = |joint: &Joint| match joint.kind {
-                JointKind::Pin { at, .. } => Some(at).filter(|at| at.body == b && arrives.velocity.is_none()),
-                _ => None,
-            };
-            Some((b, arrives, self.joints.iter().find_map(pin)))
+    /// The bodies that move just before an impact, and how.
+    pub fn arrivals(&self) -> impl Iterator<Item = (usize, Arrives)> {
+        let arrives = |(b, body): (usize, &Body)| Some((b, body.planar.as_ref()?.arrives?));
+        self.bodies.iter().enumerate().filter_map(arrives)
+    }
+    /// The point of a body about which it turns just before an impact: that at its pin.
+    pub fn turns_about(&self, (body, arrives): (usize, Arrives)) -> Option<Spot> {
+        self.joints.iter().find_map(|joint| match joint.kind {
+            JointKind::Pin { at, .. } if at.body == body && arrives.speed_m_s == Num::Fixed(0.0) => Some(at),
+            _ => None,
         })
     }
     /// Is a torsion spring wound by half a turn or more at the start, as far as the data say it?

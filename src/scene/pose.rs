@@ -11,7 +11,7 @@ mod plan;
 use crate::num::half::Half;
 use crate::num::jet::Followed;
 use crate::num::plant::plant;
-use crate::num::{Dd, Jet, Real, U, root, trig};
+use crate::num::{Jet, Real, U, root, trig};
 use crate::scene::numbers::BodyNumbers;
 use crate::scene::pose::plan::Planner;
 use crate::scene::{
@@ -208,12 +208,6 @@ pub fn turned_from<T: Real>(planar: &Planar, axis: [T; 2], from: [T; 2]) -> T {
         return T::of(f64::NAN);
     }
     trig::angle(across, along).signed(sense(planar))
-}
-
-/// The angle of an axis, as its body counts it: within half a turn.
-pub fn angle_of<T: Real>(planar: &Planar, axis: [T; 2]) -> T {
-    let turned = turned_from(planar, axis, planar.from.components().map(T::of));
-    if turned.f64().is_nan() { T::constant(Dd::PI) } else { turned }
 }
 
 /// A joint holds whose points are no farther apart than this share of the size of everything: printed decimals of a place are rounded.
@@ -533,9 +527,9 @@ pub fn pulls<T: Real>(scene: &Scene, n: &Numbers<T>) -> f64 {
 
 /// Sum of the magnitudes of all impulses that strike, and of the momenta before an impact, N s: what impulses are small beside.
 pub fn blows<T: Real>(scene: &Scene, n: &Numbers<T>) -> f64 {
-    let momentum = |(b, Arrives { velocity, spin_rad_s }, _): (usize, Arrives, _)| {
-        let speed = velocity.map_or(0.0, |[speed, _]| n.get(speed).size());
-        n.bodies[b].mass.size() * (speed + n.get(spin_rad_s).size() * size(scene, n))
+    let momentum = |(b, arrives): (usize, Arrives)| {
+        let fastest = n.get(arrives.speed_m_s).size() + n.get(arrives.spin_rad_s).size() * size(scene, n);
+        n.bodies[b].mass.size() * fastest
     };
     let blows = scene.pushes.iter().filter(|p| p.blow);
     blows.map(|p| n.massive(p.force_n).size()).chain(scene.arrivals().map(momentum)).sum()

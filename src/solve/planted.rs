@@ -281,11 +281,11 @@ fn welded() -> Scene {
 /// A rod on a pin that is struck by another one, and throws it back.
 fn thrown_back() -> Scene {
     let mut scene = scene(vec![rod("one", Some(0.0)), rod("other", Some(40.0))], Vec::new(), 1.0);
-    let arrives = [(None, -4.0), (Some([f(3.0), f(-70.0)]), 2.0)];
-    for (body, (velocity, spin)) in scene.bodies.iter_mut().zip(arrives) {
+    for (body, (speed, spin)) in scene.bodies.iter_mut().zip([(0.0, -4.0), (3.0, 2.0)]) {
         if let Some(planar) = &mut body.planar {
-            planar.arrives = Some(Arrives { velocity, spin_rad_s: f(spin) });
-            planar.origin_m = velocity.map(|_| [f(1.1), f(0.0)]);
+            planar.arrives =
+                Some(Arrives { speed_m_s: f(speed), direction_deg: f(-70.0), spin_rad_s: f(spin) });
+            planar.origin_m = (speed > 0.0).then(|| [f(1.1), f(0.0)]);
         }
     }
     let rail = line(Some(spot(0, 0)), 0.0);

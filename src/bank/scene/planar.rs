@@ -390,24 +390,21 @@ impl SceneReader<'_> {
 
     /// How a body moves just before an impact.
     pub(super) fn arrives(&self, node: &Node, turns: bool) -> Option<Arrives> {
-        let mut fields =
-            Fields::open(node, "how it moves just before the impact (speed, direction, spin)", self.faults)?;
-        let velocity = match fields.get("speed") {
-            Some(speed) => {
-                let direction = fields.need("direction", "right").and_then(|n| self.direction(n, &WHITHER));
-                self.at_start(speed, Need::VELOCITY).zip(direction).map(|(v, direction)| Some([v, direction]))
-            }
-            None => Some(None),
-        };
-        let spin = match fields.get("spin").filter(|_| turns) {
-            Some(spin) => self.at_start(spin, Need::SPIN),
-            None if velocity == Some(None) => {
-                let hint = "write `{speed: v, direction: right}`, or `{spin: w}` of what turns";
-                self.faults.refuse_with(node, "it has no velocity before the impact", hint)
-            }
-            None => Some(Num::Fixed(0.0)),
-        };
-        Some(Arrives { velocity: velocity?, spin_rad_s: spin? })
+        let what = "how it moves just before the impact (speed, direction, spin)";
+        let mut fields = Fields::open(node, what, self.faults)?;
+        let [speed, spin] = fields.each(["speed", "spin"]);
+        let direction = speed.and_then(|_| fields.need("direction", "right"));
+        let given =
+            |node: Option<&Node>, need| node.map_or(Some(Num::Fixed(0.0)), |n| self.at_start(n, need));
+        if WHOLE && (speed.is_none() && spin.is_none() || spin.is_some() && !turns) {
+            let hint = "write `{speed: v, direction: right}`, or `{spin: w}` of what turns";
+            self.faults.hint(node, "it has no such velocity before the impact", hint);
+        }
+        Some(Arrives {
+            speed_m_s: given(speed, Need::VELOCITY)?,
+            direction_deg: direction.map_or(Some(Num::Fixed(0.0)), |n| self.direction(n, &WHITHER))?,
+            spin_rad_s: given(spin, Need::SPIN)?,
+        })
     }
 
     /// A force on a point of a body in the plane, or a blow.

@@ -552,10 +552,9 @@ impl<'a, T: Real> Mechanism<'a, T> {
             force(push.at.body, u.map(|x| x * p), self.lever(poses, push.at));
         }
         if blows {
-            for (b, before) in self.before(poses) {
-                let momenta = self.inertias(b).into_iter().zip(before);
-                for (impulse, (inertia, v)) in forces[b].iter_mut().zip(momenta) {
-                    *impulse = impulse.balance(inertia * v);
+            for (b, before) in self.before(poses).into_iter().enumerate() {
+                for (k, inertia) in self.inertias(b).into_iter().enumerate() {
+                    forces[b][k] = forces[b][k].balance(inertia * before[k]);
                 }
             }
             return forces;
@@ -685,21 +684,19 @@ impl<'a, T: Real> Mechanism<'a, T> {
             }
             // What the joints would give if they held, and as much again for each part that springs back.
             let e = plant!("eom: restitution", self.n.get(e));
-            let impulses = after.forces.iter_mut().flatten().map(|(constant, _)| constant);
-            let velocities = after.moves[0].iter_mut().flatten();
-            impulses.chain(velocities).for_each(|x| *x = x.balance(e * *x));
-            for (b, before) in self.before(&state.poses) {
-                for (v, before) in after.moves[0][b].iter_mut().zip(before) {
-                    *v = v.balance(-(e * before));
-                }
-            }
+            let back = |x: T, before: T| x.balance(e * (x - before));
+            let impulses = after.forces.iter_mut().flatten();
+            impulses.for_each(|(impulse, _)| *impulse = back(*impulse, T::zero()));
+            let before = self.before(&state.poses);
+            let velocities = after.moves[0].iter_mut().flatten().zip(before.iter().flatten());
+            velocities.for_each(|(v, before)| *v = back(*v, *before));
         }
         Ok(after)
     }
     /// Do the bodies move just before an impact as all joints but this one allow?
     fn held_before(&self, state: &State<T>, impact: usize) -> bool {
         let mut before: SmallVec<[T; 12]> = smallvec![T::zero(); self.columns];
-        for (b, v) in self.before(&state.poses) {
+        for (b, v) in self.before(&state.poses).into_iter().enumerate() {
             let own = if self.turns(b) { 3 } else { 2 };
             before[self.first[b]..][..own].copy_from_slice(&v[..own]);
         }
@@ -711,22 +708,18 @@ impl<'a, T: Real> Mechanism<'a, T> {
         })
     }
     /// The velocities of bodies just before an impact: of the mass centre, and of the turn.
-    fn before<'p>(&'p self, poses: &'p Poses<T>) -> impl Iterator<Item = (usize, [T; 3])> {
-        self.scene.arrivals().map(|(b, arrives, about)| {
-            let spin = self.n.get(arrives.spin_rad_s).signed(self.sense(b));
-            let [vx, vy] = match (arrives.velocity, about) {
-                (Some([speed, direction]), _) => {
-                    let speed = plant!("eom: speed before an impact", self.n.get(speed));
-                    pose::direction(self.n, direction).map(|u| u * speed)
-                }
-                (None, Some(pin)) => {
-                    let [x, y] = self.lever(poses, pin);
-                    [spin * y, -(spin * x)]
-                }
-                (None, None) => [T::zero(); 2],
-            };
-            (b, [vx, vy, plant!("eom: spin before an impact", spin)])
-        })
+    fn before(&self, poses: &Poses<T>) -> Rates<T> {
+        let mut before: Rates<T> = smallvec![[T::zero(); 3]; self.n.bodies.len()];
+        for (b, arrives) in self.scene.arrivals() {
+            let spin =
+                plant!("eom: spin before an impact", self.n.get(arrives.spin_rad_s).signed(self.sense(b)));
+            let speed = plant!("eom: speed before an impact", self.n.get(arrives.speed_m_s));
+            let [c, s] = pose::direction(self.n, arrives.direction_deg);
+            let pin = self.scene.turns_about((b, arrives));
+            let [x, y] = pin.map_or([T::zero(); 2], |pin| self.lever(poses, pin));
+            before[b] = [c * speed + spin * y, s * speed - spin * x, spin];
+        }
+        before
     }
     /// The state with the velocities that the bodies have after a blow: those at this rate before it, and their jumps.
     pub fn after(&self, mut state: State<T>, rate: T, jumps: &Response<T>) -> State<T> {
@@ -958,13 +951,9 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let kind = &self.scene.joints[joint].kind;
         (kind.is_one_sided() || kind.rubs().is_some()).then(|| response.forces[self.held[joint]])?
     }
-    /// Place of a mass centre.
-    pub fn place_of(&self, state: &State<T>, body: usize) -> Vector<T> {
-        self.centre(&state.poses, body)
-    }
-    /// Its height.
+    /// Height of a mass centre.
     pub fn height(&self, state: &State<T>, body: usize) -> T {
-        self.place_of(state, body)[1]
+        self.centre(&state.poses, body)[1]
     }
     /// How far a spring is longer than it naturally is, or the body of a torsion spring turned beyond where that is relaxed; 0 where it
     /// does not act.

@@ -135,7 +135,6 @@ impl<T: Real> Account<'_, T> {
             self.say(road, Quantity::Rise, Owner::Body(b), risen);
         }
         let still = |_: usize, _: T| [T::zero(); 2];
-        self.tell_whole(&poses, road);
         self.tell_forces(&poses, &still, road);
         Ok(())
     }
@@ -157,43 +156,6 @@ impl<T: Real> Account<'_, T> {
         }
     }
 
-    /// What welded bodies are together, and how each body lies, from equimomental particles.
-    pub fn tell_whole(&self, poses: &Poses<T>, road: &mut Road<T>) {
-        let (scene, zero) = (self.scene, T::zero());
-        for (b, body) in scene.bodies.iter().enumerate() {
-            if let Some(planar) = body.planar.as_ref().filter(|_| body.turns) {
-                let axis = poses[b].axis.map(|x| x.value);
-                self.say(road, Quantity::Angle, Owner::Body(b), pose::angle_of(planar, axis));
-            }
-        }
-        if !scene.is_rigid() || self.pinned {
-            return;
-        }
-        let particles = || {
-            self.n.bodies.iter().enumerate().flat_map(|(b, numbers)| {
-                let (centre, gyration) = self.centres[b];
-                [centre + gyration, centre - gyration].map(|along| {
-                    let half = plant!("energy: particles of welded bodies", numbers.mass.scale2(-1));
-                    (half, poses[b].here().point([along, zero]))
-                })
-            })
-        };
-        let mass = self.n.bodies.iter().fold(zero, |sum, body| sum + body.mass);
-        let centre = [0, 1].map(|i| particles().fold(zero, |sum, (m, at)| sum + m * at[i]) / mass);
-        let inertia = |about: Vector<T>| {
-            particles()
-                .fold(zero, |sum, (m, [x, y])| sum + m * ((x - about[0]).square() + (y - about[1]).square()))
-        };
-        self.say(road, Quantity::XG, Owner::Scene, centre[0]);
-        self.say(road, Quantity::YG, Owner::Scene, centre[1]);
-        self.say(road, Quantity::IG, Owner::Scene, inertia(centre));
-        for (j, joint) in scene.joints.iter().enumerate() {
-            if let JointKind::Pin { place_m, .. } = joint.kind {
-                self.say(road, Quantity::IO, Owner::Joint(j), inertia(pose::ground(self.n, place_m)));
-            }
-        }
-    }
-
     /// Velocities and energy, with the accelerations of points and the angular ones where they are told.
     pub fn tell_motion(
         &self,
@@ -203,7 +165,6 @@ impl<T: Real> Account<'_, T> {
         road: &mut Road<T>,
     ) {
         let mut energy = T::zero();
-        self.tell_whole(poses, road);
         for (b, body) in self.scene.bodies.iter().enumerate() {
             let (of, (centre, gyration)) = (Owner::Body(b), self.centres[b]);
             let [vx, vy] = self.velocity(poses, motion, b, centre);

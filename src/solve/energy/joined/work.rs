@@ -69,7 +69,7 @@ impl<T: Real> Account<'_, T> {
     /// What the momenta before an impact, those of equimomental particles, come to in a motion.
     fn brought(&self, poses: &Poses<T>, motion: &Motion<T>) -> impl Iterator<Item = T> {
         let before = self.before(poses);
-        self.scene.arrivals().flat_map(move |(b, ..)| {
+        self.scene.arrivals().flat_map(move |(b, _)| {
             let (centre, gyration) = self.centres[b];
             [centre + gyration, centre - gyration].map(|along| {
                 let half = plant!("energy: momentum before an impact", self.n.bodies[b].mass.scale2(-1));
@@ -80,19 +80,16 @@ impl<T: Real> Account<'_, T> {
     /// The motion just before an impact.
     pub fn before(&self, poses: &Poses<T>) -> Motion<T> {
         let mut before: Motion<T> = smallvec![[T::zero(); 3]; self.scene.bodies.len()];
-        for (b, arrives, about) in self.scene.arrivals() {
-            let spin = self.n.get(arrives.spin_rad_s).signed(self.counts(b));
-            before[b] = [T::zero(), T::zero(), spin];
+        for (b, arrives) in self.scene.arrivals() {
+            before[b][2] = self.n.get(arrives.spin_rad_s).signed(self.counts(b));
             // The origin of its axis moves so that the point about which it turns does not, or its mass centre as it is told to.
-            let turned = match about {
+            let turned = match self.scene.turns_about((b, arrives)) {
                 Some(pin) => self.of_spot(poses, &before, pin),
                 None => self.velocity(poses, &before, b, self.centres[b].0),
             };
-            let moves = arrives.velocity.map_or([T::zero(); 2], |[speed, direction]| {
-                pose::direction(self.n, direction).map(|u| u * self.n.get(speed))
-            });
+            let unit = pose::direction(self.n, arrives.direction_deg);
             for i in [0, 1] {
-                before[b][i] = moves[i].balance(-turned[i]);
+                before[b][i] = (unit[i] * self.n.get(arrives.speed_m_s)).balance(-turned[i]);
             }
         }
         before

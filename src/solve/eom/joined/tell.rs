@@ -114,7 +114,6 @@ impl<T: Real> Teller<'_, '_, T> {
             let risen = mechanism.height(&state, b) - mechanism.height(&first, b);
             self.say_scaled(Quantity::Rise, Owner::Body(b), risen, mechanism.size());
         }
-        self.tell_whole(&state);
         self.tell_forces(&state, &response, T::zero(), smooth);
         self.watch(&response, T::zero());
         Ok(())
@@ -242,55 +241,10 @@ impl<T: Real> Teller<'_, '_, T> {
         }
     }
 
-    /// What bodies are together that are one, or welded together: mass centre and moments of inertia; and how each one lies.
-    pub fn tell_whole(&mut self, state: &State<T>) {
-        let (scene, mechanism) = (self.scene, self.mechanism);
-        for (b, body) in scene.bodies.iter().enumerate() {
-            if let Some(planar) = body.planar.as_ref().filter(|_| body.turns) {
-                self.say_scaled(
-                    Quantity::Angle,
-                    Owner::Body(b),
-                    pose::angle_of(planar, mechanism.axis(state, b)),
-                    1.0,
-                );
-            }
-        }
-        if !scene.is_rigid() || self.pinned.is_some() {
-            return;
-        }
-        let size = mechanism.size();
-        let bodies = || self.n.bodies.iter().enumerate();
-        let mass = bodies().fold(T::zero(), |sum, (_, body)| sum + body.mass);
-        let [x, y] = [0, 1].map(|i| {
-            bodies().fold(T::zero(), |sum, (b, body)| sum + body.mass * mechanism.place_of(state, b)[i])
-                / mass
-        });
-        let inertia = |[x, y]: [T; 2]| {
-            let about = plant!("eom: moment of inertia of welded bodies", T::of(1.0));
-            bodies().fold(T::zero(), |sum, (b, body)| {
-                let [own_x, own_y] = mechanism.place_of(state, b);
-                sum + body.inertia * about + body.mass * ((own_x - x).square() + (own_y - y).square())
-            })
-        };
-        let (about_g, mut pins) = (inertia([x, y]), SmallVec::<[(Owner, T); 2]>::new());
-        for (j, joint) in scene.joints.iter().enumerate() {
-            if let JointKind::Pin { place_m, .. } = joint.kind {
-                pins.push((Owner::Joint(j), inertia(pose::ground(self.n, place_m))));
-            }
-        }
-        self.say_scaled(Quantity::XG, Owner::Scene, plant!("eom: mass centre of welded bodies", x), size);
-        self.say_scaled(Quantity::YG, Owner::Scene, y, size);
-        self.say(Quantity::IG, Owner::Scene, about_g);
-        for (of, inertia) in pins {
-            self.say(Quantity::IO, of, inertia);
-        }
-    }
-
     /// Velocities and energy at this rate of what leads, with the accelerations where they are told.
     pub fn tell_motion(&mut self, state: &State<T>, rate: T, response: Option<(&Response<T>, f64, f64)>) {
         let (scene, mechanism) = (self.scene, self.mechanism);
         let (mut energy, mut heavy) = (T::zero(), 0.0);
-        self.tell_whole(state);
         // The fastest point moves no faster than this share of the leading angle's rate.
         let fastest = rate.size() * mechanism.size();
         for (b, body) in scene.bodies.iter().enumerate() {
