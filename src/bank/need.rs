@@ -1,5 +1,6 @@
 //! What the numbers of a scene are used for: words, unit, admissible values and an example of each use, in one table.
 
+use crate::bank::node::WHOLE;
 use crate::finding::{only_told, told};
 use crate::scene::Rule;
 use crate::scene::admissible::fits_rule;
@@ -39,6 +40,8 @@ const TURNS: Range = (|x| fits_rule(x, Rule::Turns), "within 20 turns, 7200 degr
 
 const fn need(words: &'static str, unit: &'static str, range: Range, example: &'static str) -> Need {
     let (admits, rule, instead) = range;
+    // The constants of a page were looked through with its bank.
+    let admits: fn(f64) -> bool = if WHOLE { admits } else { |_| true };
     Need { words, unit, range: (admits, only_told(rule), only_told(instead)), example: only_told(example) }
 }
 

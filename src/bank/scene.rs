@@ -284,12 +284,22 @@ impl SceneReader<'_> {
 
     /// One word out of a list, said in one of its spellings.
     fn word<T: Copy>(&self, node: &Node, what: &str, words: &[(&str, T)]) -> Option<T> {
+        self.among(node, what, words.len(), &|i| words[i].0).map(|i| words[i].1)
+    }
+    /// Which of so many words it is: one function for all that they may mean.
+    fn among<'w>(
+        &self,
+        node: &Node,
+        what: &str,
+        count: usize,
+        word: &dyn Fn(usize) -> &'w str,
+    ) -> Option<usize> {
         let text = node.text().unwrap_or("").split_whitespace().collect::<Vec<_>>().join(" ").to_lowercase();
-        if let Some((_, meaning)) = words.iter().find(|(w, _)| *w == text) {
-            return Some(*meaning);
-        }
-        let hint = spell::hint(&text, "words known here", words.iter().map(|(w, _)| *w));
-        self.faults.expected(node, what, hint)
+        let found = (0..count).find(|i| word(*i) == text);
+        found.or_else(|| {
+            let hint = spell::hint(&text, "words known here", (0..count).map(word));
+            self.faults.expected(node, what, hint)
+        })
     }
 
     /// The place of what is called so, among those of a kind.

@@ -900,6 +900,10 @@ fn compare(m: &Machine, solved: &Solved, end: &End) -> Result<(), String> {
             ("a_x", Owner::Body(b)) => (a[3 * b] + m.carried[0], steepest),
             ("a_y", Owner::Body(b)) => (a[3 * b + 1] + m.carried[1], steepest),
             ("omega", Owner::Body(b)) => (v[3 * b + 2].abs(), fastest),
+            ("angular_momentum", Owner::Body(b)) => {
+                let inertia = m.bodies[b].inertia;
+                (inertia * v[3 * b + 2].abs(), inertia * fastest)
+            }
             ("alpha", Owner::Body(b)) => (a[3 * b + 2] * m.bodies[b].sense, steepest),
             // What rolls on a cylinder turns by an angle of its own.
             ("phi", Owner::Body(b))
