@@ -233,10 +233,11 @@ impl Parser<'_> {
             let next = self.product()?;
             if self.strict && next != first {
                 self.at = start;
-                let (one, other) = (measure::powers_text(first), measure::powers_text(next));
-                return Err(
-                    self.trouble(told!("the terms of a sum have different dimensions, {one} and {other}"))
-                );
+                return Err(self.trouble(told!(
+                    "the terms of a sum have different dimensions, {} and {}",
+                    measure::powers_text(first),
+                    measure::powers_text(next)
+                )));
             }
             self.steps.push(step);
         }

@@ -74,7 +74,7 @@ pub fn put(
     };
     let symbol = &data[i].symbol;
     let (own, wanted) = (measure::powers(&data[at].unit), measure::own_powers(scene.unit(label)));
-    if own != wanted {
+    if WHOLE && own != wanted {
         let (own, wanted) = (measure::powers_text(own), measure::powers_text(wanted));
         faults.at(node, told!("`{}` has the dimension {own}, `{name}` {wanted}", data[at].symbol));
         return Vec::new();
@@ -107,7 +107,7 @@ pub fn put(
             rule = Some(r);
         }
     });
-    if rule.is_some() || range[0] >= range[1] {
+    if WHOLE && (rule.is_some() || range[0] >= range[1]) {
         let place = problem.field("data").and_then(|d| d.field(symbol)).unwrap_or(node);
         faults.hint(
             place,
@@ -121,7 +121,9 @@ pub fn put(
         Given { datum, degrees: data[datum].degrees, powers }
     };
     scene.formulas.found = Some(Found { unknown: given(i), range, measured: given(at), label });
-    uses.push(DatumUse { datum: at, need: *Need::TERM });
+    if WHOLE {
+        uses.push(DatumUse { datum: at, need: *Need::TERM });
+    }
     uses
 }
 

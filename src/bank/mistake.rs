@@ -146,7 +146,7 @@ pub fn follows(
         };
         let Some(by) = expression(value, context, true, faults) else { continue };
         let wanted = measure::powers(&questions[index].unit);
-        if by.powers != wanted {
+        if WHOLE && by.powers != wanted {
             let (found, wanted) = (measure::powers_text(by.powers), measure::powers_text(wanted));
             faults.at(value, told!("this has the dimension {found}, `{id}` {wanted}"));
         }

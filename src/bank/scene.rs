@@ -543,7 +543,9 @@ impl SceneReader<'_> {
             // The use is recorded when a tie acts at this radius.
             let before = self.met.borrow().uses.len();
             if let Some(num) = self.number(value, Need::RADIUS) {
-                self.met.borrow_mut().uses.truncate(before);
+                if WHOLE {
+                    self.met.borrow_mut().uses.truncate(before);
+                }
                 radii.push((radius.to_owned(), num));
             }
         }

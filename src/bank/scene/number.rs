@@ -127,7 +127,7 @@ impl SceneReader<'_> {
             Ok((Name::Datum(datum, false), powers))
         };
         let mut read = Expression::parse(text, &lookup);
-        if read.is_err() && self.symbols.iter().any(|s| s.unit.is_none()) {
+        if WHOLE && read.is_err() && self.symbols.iter().any(|s| s.unit.is_none()) {
             // A unit that is wrong is a finding already, and no sum can be judged without it.
             read = Expression::parse_loosely(text, &lookup);
         }
@@ -135,15 +135,18 @@ impl SceneReader<'_> {
         let data: Vec<usize> = expression.data().collect();
         let own = |i: usize| self.symbols.get(i);
         let known = data.iter().all(|i| own(*i).is_none_or(|s| s.unit.is_some()));
-        if known && expression.powers != wanted {
+        if WHOLE && known && expression.powers != wanted {
             let found = measure::powers_text(expression.powers);
             let message =
                 told!("`{}` has the dimension {found}, but it is used as {}", shorten(text), need.words);
             let hint = told!("{} has the dimension {}", need.words, measure::powers_text(wanted));
             return f.refuse_with(node, message, hint);
         }
-        let symbols = data.iter().filter(|i| own(**i).is_some());
-        self.met.borrow_mut().uses.extend(symbols.map(|datum| DatumUse { datum: *datum, need: *Need::TERM }));
+        if WHOLE {
+            let symbols = data.iter().filter(|i| own(**i).is_some());
+            let uses = symbols.map(|datum| DatumUse { datum: *datum, need: *Need::TERM });
+            self.met.borrow_mut().uses.extend(uses);
+        }
         let powers = |i: usize| {
             let given = || own(i)?.unit.as_ref().map(measure::powers);
             let powers = if i == self.gravity { Some(measure::own_powers("m/s^2")) } else { given() };

@@ -24,8 +24,11 @@ impl SceneReader<'_> {
         Some(num)
     }
 
-    /// Notes a radius as used.
+    /// Notes a radius as used. A page needs to know only what is used in degrees.
     pub(super) fn winds_on(&self, radius: Num) {
+        if !WHOLE {
+            return;
+        }
         let uses = &mut self.met.borrow_mut().uses;
         match radius {
             Num::Datum(datum) => uses.push(DatumUse { datum, need: *Need::RADIUS }),
