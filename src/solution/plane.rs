@@ -305,6 +305,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         let Some(lead) = draft.scene.lead() else { return unfound() };
         let carriers = draft.scene.joints.iter().filter_map(|j| j.kind.carrier());
         let leads_on = |joint: &Joint| matches!(joint.kind, JointKind::Cord { beyond: Some(_), .. });
+        if draft.scene.arrivals().next().is_some() {
+            return Err(Beyond::Impact.into());
+        }
         if carriers.into_iter().any(|on| draft.scene.bodies[on.body].turns)
             || draft.scene.joints.iter().any(leads_on)
         {
@@ -496,9 +499,6 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// What an instant's blows do: to momenta what forces do to accelerations, with an impulse in the place of each force of a joint.
     fn strike(&mut self) -> Result<(), DerivationStop> {
         let (scene, lead, kept, moves) = (self.scene, self.lead, self.bodies.clone(), self.moves);
-        if scene.arrivals().next().is_some() {
-            return Err(Beyond::Impact.into());
-        }
         let from_rest = self.first == ZERO;
         let mark = if from_rest { "s" } else { r"\Delta" };
         self.here = if scene.end == End::AtOnce { END } else { START };
