@@ -40,6 +40,49 @@ pub fn changes<T: Real, E>(
     Ok(found)
 }
 
+/// How a way is looked through: the first step, the widest to which steps grow, and the steps at least from one stop to the next.
+pub type Looks = [f64; 3];
+
+/// The first place at which a value that sets off above 0 (or `rising` below it) no longer is there, however shortly, on the way from 0
+/// to the last of `stops`, at each of which its law changes: between which places. The values before it are `told`.
+///
+/// Errors: those of the value.
+pub fn leaves<T: Real, E>(
+    stops: impl Iterator<Item = T>,
+    [mut step, widest, pieces]: Looks,
+    rising: bool,
+    value: &dyn Fn(T) -> Result<T, E>,
+    told: &mut dyn FnMut(T),
+) -> Result<Option<[T; 2]>, E> {
+    let mut seen: SmallVec<[(T, T); 3]> = smallvec![(T::zero(), value(T::zero())?)];
+    for stop in stops {
+        // A spring may turn it back and forth within the little way on which it is met.
+        let most = f64::min(widest, (stop - seen[seen.len() - 1].0).size() / pieces);
+        while let Some((before, _)) = seen.last().copied()
+            && before.below(stop)
+        {
+            // Two springs may be met within the last digit: so short a step leads nowhere.
+            let next = before + T::of(f64::min(step, most));
+            let next = if before.below(next) && next.below(stop) { next } else { stop };
+            step = f64::min(2.0 * step, widest);
+            let now = value(next)?;
+            if now.sign() == 0.0 || (now.sign() > 0.0) == rising {
+                return Ok(Some([before, next]));
+            }
+            told(now);
+            seen.push((next, now));
+            // Between two looks it may have been gone and back.
+            if let Some([left, at, _]) = dipped(&seen, value)? {
+                return Ok(Some([left, at]));
+            }
+            if seen.len() == 3 {
+                seen.remove(0);
+            }
+        }
+    }
+    Ok(None)
+}
+
 /// Of three looks at a value that has one sign at all of them: a place between two of them where it has not, in the middle.
 ///
 /// Errors: those of the value.

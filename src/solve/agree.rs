@@ -453,16 +453,16 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
         }
         let joined = scene.bodies.iter().all(|b| b.planar.is_some()) && scene.ties.is_empty();
         let along = matches!(scene.end, End::Travel(..) | End::Position(..));
-        return if joined && !along { Ok(()) } else { refuse(Unsupported::JoinedInCompany) };
-    }
-    if matches!(scene.end, End::Angle(..)) {
-        return refuse(Unsupported::JoinedInCompany);
+        return if joined && !along { Ok(()) } else { refuse(Unsupported::Unread) };
     }
     if matches!(scene.end, End::AtOnce) && !scene.tells_rates() {
         return Ok(());
     }
-    if lamina || scene.start.iter().any(|s| matches!(s, Start::Lamina { .. })) {
-        return refuse(Unsupported::MovingLamina);
+    if matches!(scene.end, End::Angle(..))
+        || lamina
+        || scene.start.iter().any(|s| matches!(s, Start::Lamina { .. }))
+    {
+        return refuse(Unsupported::Unread);
     }
     let freedoms = scene.freedoms();
     let number = |n: Num| scene.value(n, data);
@@ -476,14 +476,11 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
         let on = |tie: &Tie| matches!(tie, Tie::Slip { body: b, .. } if body.is_none_or(|own| own == *b));
         scene.ties.iter().any(on)
     };
-    if moves && slips(None) {
-        return refuse(Unsupported::SpringWithSlip);
-    }
-    if moves && freedoms > 1 {
-        return refuse(Unsupported::SpringWithTwoFreedoms);
+    if moves && (slips(None) || freedoms > 1) {
+        return refuse(Unsupported::Unread);
     }
     match scene.end {
-        End::Rolling(c) if scene.start.is_empty() || !slips(Some(c.body)) => refuse(Unsupported::NotThrown),
+        End::Rolling(c) if scene.start.is_empty() || !slips(Some(c.body)) => refuse(Unsupported::Unread),
         _ => Ok(()),
     }
 }

@@ -635,11 +635,6 @@ end: {end}"
     compare(&names[..4], &found[..4], &at(stops)[..4]);
     assert_eq!(solved.regime.word(), "rolls_after");
     compare(&names, &told_by(&scene("{time: {of: hoop, is: 1 s}}"), &names, false).0, &at(1.0));
-    compare(
-        &names,
-        &told_by(&scene("{speed: {of: block, reaches: 2 m/s}}"), &names, false).0,
-        &at(stops + 4.0 / G),
-    );
 }
 
 /// Bodies that have nothing to do with one another: one slides, of those at rest one begins to slide down its ramp, one stays.

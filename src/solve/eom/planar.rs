@@ -220,11 +220,14 @@ impl<'a, T: Real> Mechanism<'a, T> {
     }
     /// Rate of the leading angle at the start. Errors: a speed of what does not move with it.
     pub fn start_rate(&self) -> Result<T, Refusal> {
-        let held = || match self.poses(T::zero(), false) {
-            Ok(_) => Refusal::Unsupported(Unsupported::StartHeld),
-            Err(unplaced) => unplaced,
-        };
-        self.layout.start_rate().ok_or_else(held)
+        if let Some(rate) = self.layout.start_rate() {
+            return Ok(rate);
+        }
+        self.poses(T::zero(), false)?;
+        let given = self.scene.start_speeds().next();
+        let (of, given) =
+            given.map_or((self.scene.ending_coordinate(), T::zero()), |(c, v)| (c, self.n.get(v)));
+        Err(Refusal::Contradiction { of, given: given.f64(), follows: 0.0 })
     }
     /// Angle that the leading body turns per angle that leads.
     pub fn ratio(&self) -> T {
