@@ -478,25 +478,18 @@ impl<T: Real> Follower<'_, '_, T> {
         let in_time = |time: &T| next.is_none_or(|next| !next.below(*time) || next.apart(*time).is_zero());
         let end = self.scene.ending_coordinate();
         let (u0, gain) = (from.of(end), rate.of(end));
-        let own: SmallVec<[(usize, Rubbing); 1]> =
-            self.rubbing().filter(|(_, rub)| rub.body == end.body).collect();
+        let own =
+            |held| (0..self.kinetic.len()).any(|t| self.kinetic[t].is_none() == held && self.ends_with(t));
+        let [holds, rubs] = [true, false].map(own);
         if self.sense == 0.0 {
             self.sense = [u0, gain].iter().map(|x| x.sign()).find(|s| *s != 0.0).unwrap_or(0.0);
         }
         match self.scene.end {
             End::AtOnce => return Some(T::zero()),
             End::Time(_, t) => return Some(self.n.get(t) - self.spent).filter(in_time),
-            End::Rolling(_) => {
-                let rolls =
-                    |(t, rub): &(usize, Rubbing)| rub.radius_m.is_some() && self.kinetic[*t].is_none();
-                return (self.spent.is_zero() && own.iter().any(rolls)).then(T::zero);
-            }
+            End::Rolling(_) => return (self.spent.is_zero() && holds).then(T::zero),
             // It ends where the contact comes to rest.
-            End::TurningPoint(_)
-                if own.iter().any(|(t, rub)| rub.radius_m.is_none() && self.kinetic[*t].is_some()) =>
-            {
-                return None;
-            }
+            End::TurningPoint(_) if rubs => return None,
             _ => {}
         }
         if self.turned || u0.sign() * self.sense < 0.0 || self.sense == 0.0 {

@@ -386,10 +386,8 @@ impl<'a, T: Real> Phases<'a, T> {
         // What ties bring to rest with that contact comes to rest at the same time, whatever its last digits.
         let by_then = |time: &T| rest.is_none_or(|rest| !rest.below(*time) || rest.apart(*time).is_zero());
         let end = self.scene.ending_coordinate();
-        let slides = |t: usize| {
-            let rub = self.scene.ties[t].rubbing().filter(|rub| rub.body == end.body);
-            rub.map(|rub| (rub.radius_m.is_some(), leg.holds[t]))
-        };
+        let own = |held: bool| (0..leg.holds.len()).any(|t| leg.holds[t] == held && self.ends_with(t));
+        let [holds, rubs] = [true, false].map(own);
         let [v, a] = [&leg.speeds, &leg.rates].map(|of| self.of(of, end.body, end.degree));
         if self.sense == 0.0 && !self.ended {
             self.sense = if v.is_zero() { a.sign() } else { v.sign() };
@@ -397,15 +395,9 @@ impl<'a, T: Real> Phases<'a, T> {
         match self.scene.end {
             End::Time(_, t) => return Some(n.get(t) - leg.starts).filter(by_then),
             End::AtOnce => return Some(T::zero()),
-            End::Rolling(_) => {
-                let rolls = |t| slides(t) == Some((true, true)) && leg.starts.is_zero();
-                return (0..leg.holds.len()).any(rolls).then(T::zero);
-            }
+            End::Rolling(_) => return (holds && leg.starts.is_zero()).then(T::zero),
             _ => {}
         }
-        // Where the contact of what slides comes to rest its turning point is told.
-        let rubs = matches!(self.scene.end, End::TurningPoint(_))
-            && (0..leg.holds.len()).any(|t| slides(t) == Some((false, false)));
         let sense = self.sense;
         if self.turning.is_some() || sense == 0.0 || v.sign() * sense < 0.0 {
             self.turning = self.turning.or((sense != 0.0).then_some(self.gone));
@@ -413,9 +405,9 @@ impl<'a, T: Real> Phases<'a, T> {
         }
         let legs = [Leg { from: T::zero(), f: a.signed(sense), w2: None }];
         let travel = Travel { u0: v.abs(), legs: &legs };
-        let turning = travel.turning();
+        // The turning point of what rubs as it slides is told where its contact comes to rest.
+        let turning = travel.turning().filter(|_| !rubs);
         let asked = measure(self.scene, n, sense);
-        let turning = turning.filter(|_| !rubs);
         let s = match self.scene.end {
             End::Speed(..) => asked.and_then(|u| travel.reaching(u)),
             End::TurningPoint(_) => turning,

@@ -220,14 +220,12 @@ impl<'a, T: Real> Mechanism<'a, T> {
     }
     /// Rate of the leading angle at the start. Errors: a speed of what does not move with it.
     pub fn start_rate(&self) -> Result<T, Refusal> {
+        let Some((of, given)) = self.scene.start_speeds().next() else { return Ok(T::zero()) };
         if let Some(rate) = self.layout.start_rate() {
             return Ok(rate);
         }
         self.poses(T::zero(), false)?;
-        let given = self.scene.start_speeds().next();
-        let (of, given) =
-            given.map_or((self.scene.ending_coordinate(), T::zero()), |(c, v)| (c, self.n.get(v)));
-        Err(Refusal::Contradiction { of, given: given.f64(), follows: 0.0 })
+        Err(Refusal::Contradiction { of, given: self.n.get(given).f64(), follows: 0.0 })
     }
     /// Angle that the leading body turns per angle that leads.
     pub fn ratio(&self) -> T {
