@@ -6,6 +6,7 @@ use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
 pub use crate::num::shown::significant as rounded;
 use crate::problem::rule::inadmissible;
+use crate::scene::given;
 use crate::scene::pose::{Choice, Gap, Layout};
 use crate::scene::{
     AsIf, Asked, Coordinate, Degree, End, Found, JointKind, Mass, Num, Numbers, Planar, Quantity, Scene,
@@ -442,7 +443,7 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
             velocity(scene, *of)
         ),
         Refusal::Contradiction { of, given, follows } => {
-            let unit = if of.degree == Degree::Along { "m/s" } else { "rad/s" };
+            let unit = given::speed_unit(of.degree);
             format!(
                 "the start contradicts the ties: it gives {} as {} {unit}, but {} {unit} follows from the ties and the rest of \
                  the start",
