@@ -5,12 +5,13 @@ use smallvec::{SmallVec, smallvec};
 /// Steps after which the bracket has been halved beyond any double-double.
 const STEPS: u32 = 400;
 
-/// The places from 0 to `far` at which a value changes its sign, looked for in steps and in the dips between them; none beyond where
-/// there is no value.
+/// The places from 0 to `far` at which a value changes its sign, looked for in steps, at these `stops` and in the dips between them;
+/// none beyond where there is no value.
 ///
 /// Errors: those of the value, save at its steps.
 pub fn changes<T: Real, E>(
     (far, step): (T, T),
+    stops: &[T],
     value: &dyn Fn(T) -> Result<T, E>,
 ) -> Result<SmallVec<[T; 4]>, E> {
     let mut found = SmallVec::new();
@@ -19,8 +20,9 @@ pub fn changes<T: Real, E>(
     while let Some((before, last)) = seen.last().copied()
         && before.below(far)
     {
-        let next = before + step;
-        let next = if next.below(far) { next } else { far };
+        let stops = stops.iter().copied().filter(|stop| before.below(*stop));
+        let next =
+            stops.chain([far]).fold(before + step, |one, other| if other.below(one) { other } else { one });
         let Ok(now) = value(next) else { break };
         if last.sign() * now.sign() < 0.0 {
             found.push(between_values(before, next, now.sign() > 0.0, value)?);
@@ -38,6 +40,12 @@ pub fn changes<T: Real, E>(
         }
     }
     Ok(found)
+}
+
+/// The places from 0 to `far` at which an even value, whose bends are all wider than a step, is least or greatest.
+pub fn turns<T: Real, E>((far, step): (T, T), value: &dyn Fn(T) -> Result<T, E>) -> SmallVec<[T; 4]> {
+    let hair = step.scale2(-20);
+    changes((far, step), &[], &|x| Ok::<_, E>(value(x + hair)? - value(x)?)).unwrap_or_default()
 }
 
 /// How a way is looked through: the first step, the widest to which steps grow, and the steps at least from one stop to the next.
