@@ -331,7 +331,11 @@ impl<T: Real> Follower<'_, '_, T> {
     fn settle(&mut self, at_rest: &[usize], all: &mut Phases<T>) -> Result<Option<Held<T>>, Refusal> {
         let starts = all.legs.is_empty();
         let held = self.held()?;
-        let loose = self.yields(at_rest, &held.1);
+        // Of blocks that stay so far one may be drawn along now.
+        let stays = |t: &usize| self.kinetic[*t].is_none() && !slips(self.scene, *t);
+        let own = self.rubbing().map(|(t, _)| t);
+        let resting: SmallVec<[usize; 2]> = own.filter(|t| at_rest.contains(t) || stays(t)).collect();
+        let loose = self.yields(&resting, &held.1);
         let own = at_rest.iter().find(|t| !starts && self.ends_with(**t));
         // At its turning point it ends, held or not.
         all.ended |= own.is_some() && matches!(self.scene.end, End::TurningPoint(_));
@@ -340,7 +344,7 @@ impl<T: Real> Follower<'_, '_, T> {
             return Ok(None);
         }
         let settled = if loose.is_empty() { held } else { self.gives_way(&loose, &mut all.rolled)? };
-        let holds: SmallVec<[usize; 2]> = at_rest.iter().copied().filter(|t| !loose.contains(t)).collect();
+        let holds: SmallVec<[usize; 2]> = resting.into_iter().filter(|t| !loose.contains(t)).collect();
         if !self.yields(&holds, &settled.1).is_empty() {
             return Err(IN_TURN);
         }

@@ -195,7 +195,13 @@ impl<'a, T: Real> Phases<'a, T> {
         }
         let sets_off = self.legs.is_empty();
         let held = self.forces(n, setting, pulls)?;
-        let loose = self.too_weak(n, at_rest, &held);
+        // A block that has been held so far may be drawn along by what rubs no longer.
+        let stays = |t: &usize| {
+            setting.holds[*t] && self.rims[*t].is_none() && self.scene.ties[*t].rubbing().is_some()
+        };
+        let resting: SmallVec<[usize; 4]> =
+            (0..setting.holds.len()).filter(|t| at_rest.contains(t) || stays(t)).collect();
+        let loose = self.too_weak(n, &resting, &held);
         let own = at_rest.iter().find(|t| !sets_off && !self.ended && self.ends_with(**t));
         if own.is_some() && matches!(self.scene.end, End::TurningPoint(_)) {
             // It ends there whether it can be held or not.
@@ -211,7 +217,7 @@ impl<'a, T: Real> Phases<'a, T> {
         } else {
             self.lets_go(n, (setting, &loose), pulls)?
         };
-        let holds: SmallVec<[usize; 4]> = at_rest.iter().copied().filter(|t| !loose.contains(t)).collect();
+        let holds: SmallVec<[usize; 4]> = resting.into_iter().filter(|t| !loose.contains(t)).collect();
         if !self.too_weak(n, &holds, &settled).is_empty() {
             return Err(IN_TURN);
         }
