@@ -53,8 +53,8 @@ pub struct Rolled<T> {
     pub tie: usize,
     /// Friction that it then has.
     pub friction: T,
-    /// Accelerations.
-    pub rate: Mode<T>,
+    /// Accelerations from there on; none of what never comes to roll.
+    pub rate: Option<Mode<T>>,
 }
 
 /// A motion in phases, up to its end if it gets there.
@@ -370,12 +370,11 @@ impl<T: Real> Follower<'_, '_, T> {
         for t in 0..self.scene.ties.len() {
             if slips(self.scene, t) && rolled.iter().all(|known| known.tie != t) {
                 let rubbed = self.kinetic[t].take();
-                let rate = self.rate();
-                let held = self.reactions(&rate);
+                let held = self.reactions(&self.rate());
                 if held.is_open(t) {
                     return Err(Refusal::Unsupported(Unsupported::SlipShared));
                 }
-                rolled.push(Rolled { tie: t, friction: held[t], rate });
+                rolled.push(Rolled { tie: t, friction: held[t], rate: None });
                 self.kinetic[t] = rubbed;
             }
         }
@@ -431,7 +430,7 @@ impl<T: Real> Follower<'_, '_, T> {
     fn rolls(&self, ties: &[usize], held: &Reactions<T>, rolled: &mut SmallVec<[Rolled<T>; 1]>) {
         for t in ties {
             if slips(self.scene, *t) && rolled.iter().all(|known| known.tie != *t) {
-                rolled.push(Rolled { tie: *t, friction: held[*t], rate: self.rate() });
+                rolled.push(Rolled { tie: *t, friction: held[*t], rate: Some(self.rate()) });
             }
         }
     }

@@ -1042,8 +1042,9 @@ impl<'a, T: Real> Walk<'a, T> {
             let available = self.n.get(mu_s) * normal;
             let [along, turn] = [Degree::Along, Degree::Turn]
                 .map(|degree| self.acceleration(Coordinate { body, degree }, pulls));
-            if self.phases.is_some() {
-                if needed.at_most(available) && self.scene.end != End::AtOnce {
+            if let Some(phases) = &self.phases {
+                let comes = phases.until[t].is_some() && self.scene.end != End::AtOnce;
+                if comes && needed.at_most(available) {
                     let line = Coordinate { body, degree: Degree::Along };
                     let a = under(pulls, |k| rolled.acceleration(line, k));
                     let with = self.n.bodies[body].carried.map(|[forward, _]| forward.acceleration);
