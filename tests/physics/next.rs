@@ -521,8 +521,8 @@ problems:
       next: {end: {stops slipping: one}}
     questions:
       late: {quantity: t, motion: next, unit: s, ask: a}
-      x: {quantity: one.displacement, motion: next, unit: m, ask: a}
-      y: {quantity: other.displacement, motion: next, unit: m, ask: a}
+      x: {quantity: one.displacement, motion: next, unit: m, cond limit: 100, ask: a}
+      y: {quantity: other.displacement, motion: next, unit: m, cond limit: 100, ask: a}
     statement: s
 ";
     let problem = problem(text);
@@ -535,5 +535,39 @@ problems:
         near(found[0], v0 / a - 0.1, "time");
         near(found[1], (v0 - 0.1 * a) * (v0 - 0.1 * a) / (2.0 * a), "way");
         near(found[2], (u0 - 0.1 * b) * (u0 - 0.1 * b) / (2.0 * b), "way of the other");
+    }
+}
+
+/// The cord between a crate and a load is cut: both go on as fast as they are, the crate up to where it stays.
+#[test]
+fn a_cord_is_cut_and_both_bodies_go_on() {
+    let text = "bank: b
+title: B
+problems:
+  p:
+    title: P
+    data:
+      d: {name: way, unit: m, draw: 1.0 to 4.0 step 0.1}
+    scene:
+      surfaces: {floor: level}
+      bodies: {crate: {mass: 3 kg, moves: along floor}, load: {mass: 2 kg, moves: vertically, positive: down}}
+      ties:
+        - slides: {body: crate, mu_k: 0.2}
+        - cord: {from: {body: crate, tied at: centre, leaves: forward}, to: {body: load, tied at: centre, leaves: up}}
+      start: {load: {speed: 2 m/s}}
+      end: {travel: {of: load, by: d}}
+      next: {ties: [slides: {body: crate, mu_k: 0.2}], end: {turning point: crate}}
+    questions:
+      way: {quantity: crate.displacement, motion: next, unit: m, ask: a}
+      falls: {quantity: load.v, motion: next, unit: m/s, ask: a}
+    statement: s
+";
+    let problem = problem(text);
+    for s in 0..seeds(200) {
+        let variant = drawn(&problem, s);
+        let square = 4.0 + 2.0 * (2.0 - 0.6) / 5.0 * G * variant.data[0];
+        let found = answers(&problem, &variant);
+        near(found[0], square / (0.4 * G), "crate");
+        near(found[1], square.sqrt() * (1.0 + 1.0 / 0.2), "load");
     }
 }
