@@ -712,3 +712,47 @@ end: {{time: {{of: drum, is: 0.5 s}}}}"
     let (_, refused) = attempted(&scene(0.46, 0.02));
     assert!(matches!(refused, Err(Refusal::Unsupported(Unsupported::SlidesInTurn))), "{refused:?}");
 }
+
+/// A disc spins in place, held by a block on a link; once its spin is gone the block is drawn along and the disc rolls:
+/// `(m + m + J/r^2) a = 2 m g sin - mu_k m g cos`.
+#[test]
+fn what_is_held_while_a_disc_spins_is_drawn_along_later() {
+    let scene = |end: &str| {
+        format!(
+            "surfaces: {{hill: {{slope: 15 deg}}}}
+bodies:
+  wheel: {{mass: 2 kg, shape: {{disc: 0.2 m}}, radii: {{rim: 0.2 m}}, moves: along hill}}
+  block: {{mass: m, moves: along hill}}
+ties:
+  - slips: {{body: wheel, on its: rim, mu_s: 0.5, mu_k: 0.3}}
+  - slides: {{body: block, mu_s: 0.3, mu_k: 0.25}}
+  - link: {{from: {{body: wheel, tied at: centre, leaves: back}}, to: {{body: block, tied at: centre, leaves: forward}}}}
+start: {{wheel: {{speed: 0 m/s, spin: 20 rad/s}}}}
+end: {end}"
+        )
+    };
+    let (sin, cos) = 15.0_f64.to_radians().sin_cos();
+    let a = -(4.0 * G * sin - 0.5 * G * cos) / 5.0;
+    let names = ["wheel.a_rolling", "wheel.friction_if_rolled", "wheel.mu_required"];
+    let rolling = [a, -a, -a / (2.0 * G * cos)];
+    compare(&names, &told(&scene("{turn: {of: wheel, by: 3 rad}}"), &names).0, &rolling);
+    let (found, _) = told(&scene("{time: {of: wheel, is: 1.5 s}}"), &[names[0], "block.v", "block.a"]);
+    let spins = 20.0 * 0.2 / (2.0 * 0.3 * G * cos);
+    compare(&["a", "v", "a"], &found, &[a, -a * (1.5 - spins), a]);
+}
+
+/// Friction drives a disc on a steep slope on less than its weight does: it never comes to roll, and nothing is told of how it will.
+#[test]
+fn of_what_never_rolls_no_rolling_is_told() {
+    let scene = "surfaces: {hill: {slope: 40 deg}}
+bodies: {wheel: {mass: m, shape: {disc: 0.2 m}, radii: {rim: 0.2 m}, moves: along hill, positive: down}}
+ties: [slips: {body: wheel, on its: rim, mu_s: 0.4, mu_k: 0.1}]
+start: {wheel: {speed: 2 m/s, spin: 0 rad/s}}
+end: {time: {of: wheel, is: 1 s}}";
+    let (scene, solved) = solved(scene);
+    assert_eq!(solved.regime.word(), "never");
+    for name in ["a_rolling", "rolls"] {
+        let label = labels::named(&scene, name).unwrap();
+        assert!(solved.get(label).is_none() && solved.word(label).is_none(), "{name}");
+    }
+}

@@ -324,7 +324,10 @@ impl<'a, T: Real> Account<'a, T> {
     /// have their natural length or are shortest or longest, so that the force of none turns within a hair.
     fn springs_met(&self, all: bool) -> SmallVec<[T; 4]> {
         let far = (T::constant(Dd::PI * Dd::new(2.0 * TURNS)), T::of(STEP));
-        let looked = |s: &usize| all || self.scene.struts[*s].acts != Acts::Both;
+        let looked = |s: &usize| match self.scene.struts[*s].acts {
+            Acts::Both => all && !self.scene.struts[*s].twists(),
+            Acts::Pushes | Acts::Pulls => true,
+        };
         let ways = (0..self.scene.struts.len()).filter(looked).flat_map(|s| {
             let square = |way: T| {
                 let [x, y] = self.apart(&self.poses(way)?, s);

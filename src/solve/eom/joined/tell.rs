@@ -126,7 +126,8 @@ impl<T: Real> Teller<'_, '_, T> {
         sense: f64,
         drive: &dyn Fn(T) -> Result<T, Refusal>,
     ) -> Result<Option<T>, Refusal> {
-        let all = (0..self.scene.struts.len()).flat_map(|s| self.mechanism.passes(s, sense, (full, look())));
+        let stretched = (0..self.scene.struts.len()).filter(|s| !self.scene.struts[*s].twists());
+        let all = stretched.flat_map(|s| self.mechanism.passes(s, sense, (full, look())));
         let mut stops: SmallVec<[T; 4]> = all.flatten().collect();
         stops.sort_by(|a, b| a.f64().total_cmp(&b.f64()));
         let look = look::<T>().f64();
