@@ -48,6 +48,11 @@ pub fn solve(scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
     half.confirm(scene, data)
 }
 
+/// The same without condition numbers, save where only one tells whether the roads agree. Errors: those of [`solve`].
+pub fn answers(scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
+    first(scene, data, Scope::ALL)?.confirm(scene, data)
+}
+
 /// What the first road alone says of what is asked, so that a draw that breaks a rule is refused at a part of the cost. Errors:
 /// as for [`solve`], save that nothing is compared yet.
 pub fn first(scene: &Scene, data: &[f64], asked: Scope) -> Result<Half, Refusal> {
@@ -165,9 +170,7 @@ fn is_narrow(scene: &Scene, data: &[f64], solved: &Solved) -> bool {
 
 /// What the roads agree on in the units of the data, if they do.
 fn agreed(scene: &Scene, data: &[f64]) -> Option<Solved> {
-    let mut half = alone::<Dd>(scene, data, Scope::ALL).ok()?;
-    half.weigh::<Dd>(scene, data, |_| true);
-    half.confirm(scene, data).ok()
+    alone::<Dd>(scene, data, Scope::ALL).and_then(|half| half.confirm(scene, data)).ok()
 }
 
 /// Solves with the scene and its data in these units. Errors: data that leave the doubles there.

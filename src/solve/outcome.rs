@@ -910,23 +910,23 @@ impl<T: Real> Road<T> {
     }
 }
 
-/// What a road in doubles says with one of several sets of data: by itself, or in one lane of a road for several.
+/// What a road says with one of several sets of data: by itself, or in doubles in one lane of a road for several.
 #[derive(Debug, Clone)]
-pub enum Told {
+pub enum Told<T: Real = Fast> {
     /// By itself.
-    Alone(Road<Fast>),
+    Alone(Road<T>),
     /// In this lane.
     #[cfg(feature = "program")]
     Lane(Rc<Road<Lanes>>, usize),
 }
 
-impl Told {
+impl<T: Real> Told<T> {
     /// The value of a label, probably said at this place.
-    pub fn value(&self, at: usize, label: Label) -> Option<f64> {
+    pub fn value(&self, at: usize, label: Label) -> Option<T> {
         match self {
             Self::Alone(road) => road.said_at(at, label).map(|said| said.value),
             #[cfg(feature = "program")]
-            Self::Lane(road, lane) => road.said_at(at, label).map(|said| said.value.lane(*lane)),
+            Self::Lane(road, lane) => road.said_at(at, label).map(|said| T::of(said.value.lane(*lane))),
         }
     }
     /// Which kind of motion it is.

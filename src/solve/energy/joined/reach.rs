@@ -111,13 +111,13 @@ impl<T: Real> Account<'_, T> {
             let square = if rest && square.sign() <= 0.0 { (way * other.square()).square() } else { square };
             Ok::<_, Refusal>(middle * sine / square.scale2(1).root())
         };
-        let (mut time, mut angle) = (T::zero(), T::zero());
+        let (rule, mut time, mut angle) = (gauss::long::<T>().0, T::zero(), T::zero());
         for met in self.meets.iter().filter(|x| x.below(way)).map(|x| *x / way) {
             let next = trig::angle(met.root(), (T::of(1.0) - met).root()).scale2(1);
-            time = time + gauss::long_integral(slowness, angle, next)?;
+            time = time + rule.integral(slowness, (angle, next), 0.0)?;
             angle = next;
         }
-        let time = time + gauss::long_integral(slowness, angle, T::constant(Dd::PI))?;
+        let time = time + rule.integral(slowness, (angle, T::constant(Dd::PI)), 0.0)?;
         Ok(plant!("energy: time of joined bodies", time))
     }
 
