@@ -9,7 +9,8 @@ use crate::problem::rule::inadmissible;
 use crate::scene::given;
 use crate::scene::pose::{Choice, Gap, Layout};
 use crate::scene::{
-    AsIf, Asked, Coordinate, Degree, End, Found, Mass, Num, Numbers, Planar, Quantity, Scene, Span, Spot, Tie,
+    AsIf, Asked, Coordinate, Degree, End, Found, JointKind, Mass, Num, Numbers, Planar, Quantity, Scene,
+    Span, Spot, Tie,
 };
 use crate::solve::ladder::{self, Force, Taken};
 use crate::solve::method::{Method, Rung};
@@ -103,6 +104,7 @@ pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
         CheckKind::SlipEnds if c.available.is_infinite() => "never",
         CheckKind::SlipEnds if c.required < c.available => "slips",
         CheckKind::SlipEnds => "rolls",
+        CheckKind::UnderWay if c.available == 0.0 => "rests",
         CheckKind::UnderWay => "is",
         CheckKind::StaticLimit if c.required <= c.available => "could",
         CheckKind::StaticLimit => "could_not",
@@ -487,6 +489,16 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
     }
 }
 
+/// What is placed in a straight guide and hangs on a cord from another body can be followed, save where it starts at its pulley.
+fn hangs_at_its_pulley(scene: &Scene, body: usize) -> bool {
+    let placed = scene.planar(body).is_some_and(|planar| planar.origin_m.is_some());
+    let held = |is: fn(&JointKind) -> bool| {
+        scene.joints.iter().any(|j| is(&j.kind) && j.kind.spots().any(|spot| spot.body == body))
+    };
+    let hangs = held(|kind| matches!(kind, JointKind::Cord { beyond: Some(_), .. }));
+    placed && hangs && held(|kind| matches!(kind, JointKind::Guide { .. }))
+}
+
 /// Why joined bodies are not put where the joints and the data say.
 fn misplaced(scene: &Scene, refusal: &Refusal) -> String {
     let name = |body: usize| scene.bodies.get(body).map_or("?", |b| b.name.as_str());
@@ -501,6 +513,11 @@ fn misplaced(scene: &Scene, refusal: &Refusal) -> String {
                 }
                 _ => "",
             }
+        ),
+        Refusal::Unplaced(index) if hangs_at_its_pulley(scene, *index) => format!(
+            "`{0}` hangs on a cord that comes from another body over a pulley, and starts at that pulley, from where it could go either way; \
+             let `{0}` be `placed:` beside the pulley",
+            name(*index)
         ),
         Refusal::Unplaced(index) => format!(
             "the joints do not place `{}` on the way: a body is placed that leads, is welded, or is pinned or hinged to what has a \
