@@ -47,10 +47,7 @@ pub fn topic(name: &str) -> Option<&'static Topic> {
     TOPICS.iter().find(|t| t.name == name)
 }
 
-/// The manual as one page that needs nothing else; at its end the help of each verb (name, text).
-///
-/// # Errors
-/// Faults of the template.
+/// The manual as one page that needs nothing else; at its end the help of each verb (name, text). Errors: faults of the template.
 pub fn book(version: &str, verbs: &[(String, String)]) -> Result<String, Finding> {
     let words = Words::english();
     let mut converter = Converter::new(&words);

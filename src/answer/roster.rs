@@ -7,9 +7,7 @@ use std::io::Cursor;
 
 /// Reads a roster: columns `student` and, if there is one, `name`; encodings and delimiters as for submissions.
 /// Gives (id, name) in the order of the file.
-///
-/// # Errors
-/// All faults at once: missing columns, blank and duplicate ids, records that do not fit the header.
+/// Errors: all faults at once: missing columns, blank and duplicate ids, records that do not fit the header.
 pub fn roster(bytes: &[u8]) -> Result<Vec<(String, String)>, Findings> {
     let unread = |fault: std::io::Error| Finding::new("roster", fault.to_string());
     let (mut source, header) = RecordSource::open(Box::new(Cursor::new(bytes.to_vec()))).map_err(unread)?;

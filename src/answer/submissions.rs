@@ -486,10 +486,7 @@ pub struct Header {
 }
 
 impl RecordSource {
-    /// Begins to read; the header is `None` in a file without any record.
-    ///
-    /// # Errors
-    /// Those of the reader.
+    /// Begins to read; the header is `None` in a file without any record. Errors: those of the reader.
     pub fn open(inner: Box<dyn Read + Send>) -> io::Result<(RecordSource, Option<Header>)> {
         RecordSource::with_block(inner, 192 * 1024)
     }
@@ -636,10 +633,7 @@ impl RecordSource {
         Ok(())
     }
 
-    /// Calls `each` for every record that is left.
-    ///
-    /// # Errors
-    /// Those of the reader.
+    /// Calls `each` for every record that is left. Errors: those of the reader.
     pub fn each(&mut self, mut each: impl FnMut(&Record)) -> io::Result<()> {
         let (mut batch, mut scratch) = (Batch::default(), RecordScratch::default());
         while self.next_batch(&mut batch)? {
@@ -648,10 +642,7 @@ impl RecordSource {
         Ok(())
     }
 
-    /// Puts the next records into `batch`; `false` at the end of the stream.
-    ///
-    /// # Errors
-    /// Those of the reader.
+    /// Puts the next records into `batch`; `false` at the end of the stream. Errors: those of the reader.
     pub fn next_batch(&mut self, batch: &mut Batch) -> io::Result<bool> {
         if !self.skipping && self.decoder.is_none() && self.next_simple(batch)? {
             return Ok(true);
@@ -844,9 +835,7 @@ fn sniff(head: &[u8]) -> u8 {
 pub type Lines = Vec<(u64, Vec<String>)>;
 
 /// All records of some bytes, for small files and tests: (header, records with their lines and fields).
-///
-/// # Errors
-/// Those of the reader.
+/// Errors: those of the reader.
 pub fn all_records(inner: Box<dyn Read + Send>) -> io::Result<(Option<Header>, Lines)> {
     let (mut source, header) = RecordSource::open(inner)?;
     Ok((header, collect(&mut source)?))

@@ -25,10 +25,7 @@ fn read(text: &str, file: &str, variables: Option<Variables>) -> Result<Bank, Fi
     Ok(bank)
 }
 
-/// Reads the tree of a bank without looking into its templates.
-///
-/// # Errors
-/// All that is wrong with it.
+/// Reads the tree of a bank without looking into its templates. Errors: all that is wrong with it.
 pub fn of_tree(tree: &Node, file: &str) -> Result<Bank, Findings> {
     checked(tree, file, None)
 }
@@ -80,10 +77,7 @@ pub fn hash(text: &str) -> String {
     hex(&Sha256::digest(text.as_bytes()))
 }
 
-/// SHA-256 of a file, hex, read in a stream.
-///
-/// # Errors
-/// Reading fails.
+/// SHA-256 of a file, hex, read in a stream. Errors: reading fails.
 pub fn hash_of(mut source: impl io::Read) -> io::Result<String> {
     let (mut hash, mut piece) = (Sha256::new(), vec![0; 1 << 16]);
     loop {

@@ -7,9 +7,7 @@ use crate::units::spell;
 /// Puts the texts of an overlay over those of a bank. With a `reference`, the bank that the overlay was written for, only
 /// texts that are still what they are there are replaced, and ids that this bank does not have are passed over: a changed
 /// question is never shown as the old one.
-///
-/// # Errors
-/// Ids that the bank does not have, fields that are unknown, texts that are none, templates with unknown names.
+/// Errors: ids that the bank does not have, fields that are unknown, texts that are none, templates with unknown names.
 pub fn put_over(
     bank: &mut Bank,
     text: &str,

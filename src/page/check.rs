@@ -90,9 +90,7 @@ pub struct Checked {
 }
 
 /// Solves a problem of a sheet; `file` is the name shown in findings.
-///
-/// # Errors
-/// It carries no scene, the scene cannot be read, or its data are no motion.
+/// Errors: it carries no scene, the scene cannot be read, or its data are no motion.
 pub fn solve(problem: &SheetProblem, file: &str) -> Result<CheckedProblem, Unsolved> {
     let Some(tree) = problem.bank_tree().map_err(Unsolved::Faults)? else { return Err(Unsolved::NoScene) };
     let no_problem = || Unsolved::Faults(Finding::new("scene", "holds no problem").into());

@@ -303,10 +303,7 @@ pub fn running_head(head: &Head) -> String {
 }
 
 /// A page that needs nothing else. `kind` is the class of its body: `sheets`, `solutions`, `practice`, `key`; `tools` are those of
-/// a page that checks answers.
-///
-/// # Errors
-/// Faults of the templates.
+/// a page that checks answers. Errors: faults of the templates.
 pub fn page(
     templates: &Templates,
     words: &Words,
@@ -331,9 +328,7 @@ pub fn page(
 }
 
 /// One page with all of a set: each document, its headings lowered by one, is an article with the id `s1`, `s2`, ...
-///
-/// # Errors
-/// Faults of the templates.
+/// Errors: faults of the templates.
 pub fn booklet<'p>(
     templates: &Templates,
     words: &Words,

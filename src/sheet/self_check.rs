@@ -91,10 +91,7 @@ impl<'t> SelfCheck<'t> {
         Self { words, hosting, used, phrases: json!(phrases) }
     }
 
-    /// The tools of one sheet.
-    ///
-    /// # Errors
-    /// The text of sheet.json is none.
+    /// The tools of one sheet. Errors: the text of sheet.json is none.
     pub fn tools(&self, bank: &Bank, problems: &[usize], handed: &Handed) -> Result<Tools, Finding> {
         let Handed { head, folder, sheet, variants } = handed;
         let chosen = || problems.iter().filter_map(|p| bank.problems.get(*p)).zip(*variants).enumerate();

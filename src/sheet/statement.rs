@@ -105,10 +105,7 @@ pub fn template_name(problem: &Problem) -> String {
     }
 }
 
-/// Adds to `templates` what stands in the bank itself.
-///
-/// # Errors
-/// Templates that cannot be read, and problems that have none.
+/// Adds to `templates` what stands in the bank itself. Errors: templates that cannot be read, and problems that have none.
 pub fn add_own(templates: &mut Templates, bank: &Bank) -> Result<(), Findings> {
     let mut faults = Findings::default();
     for problem in &bank.problems {
@@ -138,10 +135,7 @@ fn is_template(text: &str) -> bool {
 }
 
 impl<'b> Statement<'b> {
-    /// Prepares a problem that has this number in its sheet.
-    ///
-    /// # Errors
-    /// Faults of the templates.
+    /// Prepares a problem that has this number in its sheet. Errors: faults of the templates.
     pub fn new(
         templates: &'b Templates,
         words: &'b Words,
@@ -194,10 +188,7 @@ impl<'b> Statement<'b> {
         })
     }
 
-    /// Appends the statement of a variant, with its figure (a line of Markdown) and its questions.
-    ///
-    /// # Errors
-    /// Faults of the templates.
+    /// Appends the statement of a variant, with its figure (a line of Markdown) and its questions. Errors: faults of the templates.
     pub fn write(
         &self,
         variant: &Variant,

@@ -49,10 +49,7 @@ pub enum Detail {
     Full,
 }
 
-/// The scene of a variant.
-///
-/// # Errors
-/// The variant has a case that the problem has not.
+/// The scene of a variant. Errors: the variant has a case that the problem has not.
 pub fn scene_of<'a>(problem: &'a Problem, variant: &Variant) -> Result<&'a Scene, Finding> {
     let case = problem.cases.get(variant.case).map(|case| &case.scene);
     let missing =

@@ -81,10 +81,7 @@ const ORDER: [&str; 25] = [
 /// Relative difference from the key that rounding in doubles explains, for a condition number of 1.
 const AGREEMENT_REL: f64 = 1e-9;
 
-/// The worked solution of a variant that has this number in its sheet.
-///
-/// # Errors
-/// Faults of the template.
+/// The worked solution of a variant that has this number in its sheet. Errors: faults of the template.
 pub fn document(
     problem: &Problem,
     variant: &Variant,
@@ -95,10 +92,7 @@ pub fn document(
     worked(problem, variant, number, Detail::Short, (words, templates)).map(|(document, _)| document)
 }
 
-/// The same, and what the derivations do not cover, if it is a short page for that reason.
-///
-/// # Errors
-/// Those of [`document`].
+/// The same, and what the derivations do not cover, if it is a short page for that reason. Errors: those of [`document`].
 pub fn worked(
     problem: &Problem,
     variant: &Variant,
@@ -111,10 +105,7 @@ pub fn worked(
     })
 }
 
-/// Its text alone, without the pictures, which take longer than all the rest.
-///
-/// # Errors
-/// Those of [`document`].
+/// Its text alone, without the pictures, which take longer than all the rest. Errors: those of [`document`].
 pub fn text(
     problem: &Problem,
     variant: &Variant,
