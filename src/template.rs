@@ -143,7 +143,12 @@ pub fn finished(text: &str) -> Value {
 
 /// A map of finished texts.
 pub fn texts<const N: usize>(pairs: [(&str, &str); N]) -> Value {
-    map(pairs.map(|(name, text)| (name, finished(text))))
+    with(pairs, [])
+}
+
+/// A map of finished texts, and of values.
+pub fn with<const N: usize, const M: usize>(texts: [(&str, &str); N], values: [(&str, Value); M]) -> Value {
+    map(texts.map(|(name, text)| (name, finished(text))).into_iter().chain(values))
 }
 
 /// A map of finished values.
@@ -152,8 +157,8 @@ pub fn map<'a>(pairs: impl IntoIterator<Item = (&'a str, Value)>) -> Value {
 }
 
 /// A list.
-pub fn list(values: Vec<Value>) -> Value {
-    Value::from(values)
+pub fn list(values: impl IntoIterator<Item = Value>) -> Value {
+    Value::from(values.into_iter().collect::<Vec<_>>())
 }
 
 impl Templates {

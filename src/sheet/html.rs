@@ -347,14 +347,10 @@ pub fn booklet<'p>(
             "" => head.student.clone(),
             name => format!("{name} ({})", head.student),
         };
-        template::map([
-            ("id", template::finished(&part_id(i))),
-            ("who", template::finished(&template::in_html(&who))),
-            ("running", template::finished(&running_head(head))),
-            ("body", template::finished(&body)),
-        ])
+        let (id, who, running) = (part_id(i), template::in_html(&who), running_head(head));
+        template::texts([("id", &id), ("who", &who), ("running", &running), ("body", &body)])
     });
-    view.value("sheets", template::list(list.collect()));
+    view.value("sheets", template::list(list));
     templates.made("booklet.html", &view)
 }
 

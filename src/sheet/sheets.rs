@@ -135,11 +135,8 @@ impl<'b> Sheets<'b> {
             body.clear();
             let problem = &self.bank.problems[*index];
             pictures.extend(self.whole_problem(i, variant, scratch, &mut body)?);
-            problems.push(template::map([
-                ("number", template::finished(&(i + 1).to_string())),
-                ("title", template::finished(&problem.title)),
-                ("body", template::finished(&String::from_utf8_lossy(&body))),
-            ]));
+            let (number, body) = ((i + 1).to_string(), String::from_utf8_lossy(&body));
+            problems.push(template::texts([("number", &number), ("title", &problem.title), ("body", &body)]));
         }
         let mut view = self.view(&head);
         view.value("problems", template::list(problems));

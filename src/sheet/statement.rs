@@ -303,7 +303,7 @@ impl<'b> Statement<'b> {
                     ("answer", document::ANSWER),
                 ])
             });
-        Ok(template::list(rows.collect()))
+        Ok(template::list(rows))
     }
 
     /// The series of the period and how many of its terms this swing takes to be within the tolerance, for a student who sums it.
@@ -363,7 +363,7 @@ impl<'b> Statement<'b> {
                     ("y", &text(p.y_m, r"\ \mathrm{m}")),
                 ])
             });
-            view.value("particles", template::list(rows.collect()));
+            view.value("particles", template::list(rows));
             let count = body.particles.len();
             let name = format!("sheet.count_{count}");
             let said =

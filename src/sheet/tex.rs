@@ -27,13 +27,9 @@ pub fn booklet<'p>(
 ) -> Result<Vec<u8>, Finding> {
     let mut view = View::new();
     view.foreign("title", title);
-    let list = parts.map(|(head, body)| {
-        template::map([
-            ("running", template::finished(&running_head(head))),
-            ("body", template::finished(body.trim_end())),
-        ])
-    });
-    view.value("sheets", template::list(list.collect()));
+    let list = parts
+        .map(|(head, body)| template::texts([("running", &running_head(head)), ("body", body.trim_end())]));
+    view.value("sheets", template::list(list));
     view.text("babel", babel(words));
     view.text("language", words.language());
     templates.made("booklet.tex", &view)
