@@ -96,8 +96,8 @@ fn problem(this: &mut Problem, node: &Node, variables: Variables, was: Option<&P
     if let Some(node) = statement {
         if was.is_none() {
             // What is looked for is not given.
-            let given = given_in(this);
-            let given: Vec<&str> = given.iter().map(String::as_str).collect();
+            let given = this.data.iter().filter(|d| d.unknown.is_none());
+            let given: Vec<&str> = given.map(|d| d.symbol.as_str()).collect();
             soundness::template(node, true, &given, variables, faults);
         }
         if let Some(text) = words(node, faults)
@@ -106,11 +106,6 @@ fn problem(this: &mut Problem, node: &Node, variables: Variables, was: Option<&P
             this.statement = Some(text);
         }
     }
-}
-
-/// The symbols that a statement gives: all but what is looked for.
-fn given_in(problem: &Problem) -> Vec<String> {
-    problem.data.iter().filter(|d| d.unknown.is_none()).map(|d| d.symbol.clone()).collect()
 }
 
 fn words(node: &Node, faults: &Faults) -> Option<String> {

@@ -722,7 +722,7 @@ fn bounds(
     hear: Hears,
 ) -> Result<(), Refused> {
     for (i, bound) in case.bounds.iter().enumerate() {
-        if bound.expression.needs_solution() != of_solution {
+        if bound.expression.quantities().next().is_some() != of_solution {
             continue;
         }
         let value = bound.expression.eval(data, quantity);
