@@ -5,6 +5,7 @@ use crate::num::half::Half;
 use crate::picture::board::{Board, LabelTie, MIDDLE_FIRST, on_arc};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Role, TextRun, symbol};
+use crate::scene::given;
 use crate::scene::{
     Acts, Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Planar, Push, Quantity, Rest,
     RotaryInertia, Scene, Shape, Spot, Straight, Strut, StrutEnd, Surface, pose,
@@ -220,13 +221,24 @@ impl PlaneLayout {
         let all = view.scene.joints.iter().filter(carries);
         let (line, on) = all.clone().find_map(|j| Some((j.kind.line()?, j.kind.carrier()?)))?;
         let (direction, through) = (self.direction(view, laid, line), self.spot(view, laid, on));
+        let slotted = is_slotted(view, body);
+        // A slot is as long as the way of the point in it.
+        let places = std::iter::once(&self.start).chain(&self.end).map(Vec::as_slice);
+        let places = if slotted { places.collect() } else { vec![laid] };
         let reach = all.flat_map(|j| {
             // Under the whole of a wheel.
             let radius = j.kind.surface().map_or(0.0, |(_, radius_m, _)| view.of(radius_m) * self.scale);
-            let along = |at| (self.spot(view, laid, at) - through).dot(&direction);
-            j.kind.spots().map(along).flat_map(move |x| [x - radius, x + radius])
+            let along = |at, laid| (self.spot(view, laid, at) - self.spot(view, laid, on)).dot(&direction);
+            let ways = places.iter().flat_map(move |laid| j.kind.spots().map(move |at| along(at, laid)));
+            ways.flat_map(move |x| [x - radius, x + radius])
         });
         let (low, high) = reach.fold((0.0, 0.0), |(a, b), x| (f64::min(a, x), f64::max(b, x)));
+        if slotted {
+            let (from, to) =
+                (through + direction * (low - 2.0 * BEYOND), through + direction * (high + 2.0 * BEYOND));
+            let aside = direction.left() * (SLOT + GUIDE);
+            return Some([from + aside, to + aside, to - aside, from - aside]);
+        }
         let down = direction.left() * -GUIDE;
         // A face aslant is that of a wedge, which stands on the level of its foot.
         let wedge =
@@ -448,21 +460,30 @@ pub fn draw(board: &mut Board, view: &SceneView) {
     let Some(plane) = PlaneLayout::new(view) else { return };
     let runs: Vec<GuideRun> =
         view.scene.joints.iter().filter_map(|j| GuideRun::new(view, &plane, j)).collect();
+    let others = |i: usize| -> Vec<&GuideRun> {
+        runs.iter().enumerate().filter(|(k, _)| *k != i).map(|(_, run)| run).collect()
+    };
+    let rails = |board: &mut Board, carrier: Option<usize>| {
+        let own = runs.iter().enumerate().filter(|(_, run)| run.carrier == carrier);
+        own.for_each(|(i, run)| guide(board, run, &others(i)));
+    };
+    rails(board, None);
     for (i, run) in runs.iter().enumerate() {
-        let others: Vec<&GuideRun> =
-            runs.iter().enumerate().filter(|(k, _)| *k != i).map(|(_, r)| r).collect();
-        guide(board, run, &others);
         // The same coefficient a second time is named, not told again.
         let told = runs[..i].iter().any(|r| r.mu_k == run.mu_k);
-        rubs(board, view, run, &others, told);
+        rubs(board, view, run, &others(i), told);
     }
     if let Some(end) = &plane.end {
         for b in 0..view.scene.bodies.len() {
             plane.outline(board, view, end, b, Role::Ghost);
         }
     }
-    for b in 0..view.scene.bodies.len() {
+    // What moves in a slot lies above it.
+    let mut order: Vec<usize> = (0..view.scene.bodies.len()).collect();
+    order.sort_by_key(|b| !is_slotted(view, *b));
+    for b in order {
         plane.outline(board, view, &plane.start, b, Role::Body);
+        rails(board, Some(b));
     }
     for joint in &view.scene.joints {
         held(board, view, &plane, joint);
@@ -567,6 +588,18 @@ impl PlaneLayout {
     }
 }
 
+/// Does a body that does not turn have a slot in which a point of a rod or a wheel moves?
+fn is_slotted(view: &SceneView, body: usize) -> bool {
+    let bodies = &view.scene.bodies;
+    let slot = |j: &Joint| match j.kind {
+        JointKind::Guide { at, one_sided: false, .. } => {
+            bodies[at.body].turns && j.kind.carrier().is_some_and(|on| on.body == body)
+        }
+        _ => false,
+    };
+    !bodies[body].turns && view.scene.joints.iter().any(slot)
+}
+
 /// A line that guides a point, as far as it is drawn.
 struct GuideRun {
     body: usize,
@@ -578,8 +611,8 @@ struct GuideRun {
     /// Half its width.
     apart: f64,
     one_sided: bool,
-    /// By another body?
-    carried: bool,
+    /// The body that carries it.
+    carrier: Option<usize>,
     mu_k: Option<Num>,
 }
 
@@ -609,8 +642,8 @@ impl GuideRun {
             (false, true) => THICK + 1.0,
             (false, false) => SLOT,
         };
-        let carried = line.on.is_some();
-        Some(Self { body: at.body, through, direction, low, high, apart, one_sided, carried, mu_k })
+        let carrier = line.on.map(|on| on.body);
+        Some(Self { body: at.body, through, direction, low, high, apart, one_sided, carrier, mu_k })
     }
     /// A line of it, this far to its left: its ends, up to the corner with the other lines on which the same body slides.
     fn ends(&self, side: f64, others: &[&GuideRun]) -> (Vec2, Vec2) {
@@ -659,10 +692,10 @@ fn guide(board: &mut Board, run: &GuideRun, others: &[&GuideRun]) {
     let sides = if run.one_sided { vec![-run.apart] } else { vec![run.apart, -run.apart] };
     for side in sides {
         for (from, to) in run.pieces(side, others) {
-            if run.one_sided && !run.carried {
+            if run.one_sided && run.carrier.is_none() {
                 board.hatch(from, to, -normal);
             }
-            board.line(from, to, if run.carried { Role::Body } else { Role::Ground });
+            board.line(from, to, if run.carrier.is_some() { Role::Body } else { Role::Ground });
         }
     }
 }
@@ -682,7 +715,7 @@ fn rubs(board: &mut Board, view: &SceneView, run: &GuideRun, others: &[&GuideRun
         let direction = run.direction;
         let mut spots = vec![(middle, -normal), (to, direction), (from, -direction)];
         // Under the face of a wedge it would be told of its floor.
-        if run.carried && direction.y.abs() > 1e-3 {
+        if run.carrier.is_some() && direction.y.abs() > 1e-3 {
             spots = vec![(to + direction * 30.0, normal), (from - direction * 30.0, normal)];
         }
         board.wish(label, spots, Role::Friction);
@@ -1109,8 +1142,8 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
         let name = if view.scene.lies_level() { "flat_body" } else { "body" };
         out.push(say(name, &[("body", &say::named(view, body))]));
         say::couples(view, b, out);
-        for (_, num) in view.started(b) {
-            out.push(say("spin", &[("spin", &say::text(view, num, "rad/s"))]));
+        for (degree, num) in view.started(b) {
+            out.push(say("spin", &[("spin", &say::text(view, num, given::speed_unit(degree)))]));
         }
     }
     if let Some((lead, planar)) = view.scene.lead().and_then(|l| Some((l, view.scene.planar(l)?))) {

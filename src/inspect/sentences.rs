@@ -6,6 +6,7 @@ use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
 pub use crate::num::shown::significant as rounded;
 use crate::problem::rule::inadmissible;
+use crate::scene::given;
 use crate::scene::pose::{Choice, Gap, Layout};
 use crate::scene::{
     AsIf, Asked, Coordinate, Degree, End, Found, Mass, Num, Numbers, Planar, Quantity, Scene, Span, Spot, Tie,
@@ -410,11 +411,13 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
         | Refusal::Moved { .. } => misplaced(scene, refusal),
         Refusal::Open(of) => say("refused.open", &[("of", &velocity(scene, *of))]),
         Refusal::Contradiction { of, given, follows } => {
-            let unit = if of.degree == Degree::Along { "m/s" } else { "rad/s" };
-            let (given, follows) = (figures(*given), figures(*follows));
-            let pieces: [(&str, &dyn Display); 3] =
-                [("given", &given), ("follows", &follows), ("unit", &unit)];
-            say("refused.contradiction", &[&pieces[..], &[("of", &velocity(scene, *of))]].concat())
+            let pieces: [(&str, &dyn Display); 4] = [
+                ("of", &velocity(scene, *of)),
+                ("given", &figures(*given)),
+                ("follows", &figures(*follows)),
+                ("unit", &given::speed_unit(of.degree)),
+            ];
+            say("refused.contradiction", &pieces)
         }
         Refusal::Unsupported(what) => say(&format!("unsupported.{what:?}"), &[]),
         Refusal::Trouble { method, trouble: why } => format!("{}: {}", method.name(), trouble(why)),
@@ -527,27 +530,31 @@ pub fn right_answer(words: &Words, entry: &KeyEntry, signs: Option<[&str; 2]>) -
 mod tests {
     use super::*;
 
+    fn joined() -> Scene {
+        let text = "
+bank: t
+title: t
+problems:
+  p:
+    title: t
+    data: {}
+    scene:
+      bodies: {rod: {mass: 2 kg, shape: {rod: 1 m}, moves: in the plane, angle: from vertical}}
+      joints: {floor: {guides: rod.A, along: horizontal, pushes: up}, cord: {links: rod.B, to: [0 m, 3 m]}}
+      start: {rod: {angle: 10 deg}}
+      end: {angle: {of: rod, reaches: 20 deg}}
+    questions: {v: {ask: v}}
+";
+        let bank = crate::bank::load::scenes_only(text, "t.yaml").unwrap_or_else(|found| panic!("{found:?}"));
+        bank.problems[0].cases[0].scene.clone()
+    }
+
     /// The words were only read with speeds above 0.
     #[test]
     fn a_start_speed_of_nothing_is_not_said_to_move_it() {
-        let turn = crate::scene::Coordinate { body: 0, degree: crate::scene::Degree::Turn };
-        let zero = crate::scene::Num::Fixed(0.0);
-        let scene = Scene {
-            gravity_m_s2: zero,
-            bodies: vec![],
-            ties: vec![],
-            couples: vec![],
-            joints: vec![],
-            pushes: vec![],
-            struts: vec![],
-            growths: vec![],
-            carried: None,
-            start: vec![crate::scene::Start::Speed(turn, zero)],
-            end: End::TurningPoint(turn),
-            heading: None,
-            span: Span::ToEnd,
-            formulas: crate::scene::Formulas::default(),
-        };
+        let turn = Coordinate { body: 0, degree: Degree::Turn };
+        let start = vec![crate::scene::Start::Speed(turn, Num::Fixed(0.0))];
+        let scene = Scene { start, joints: Vec::new(), end: End::TurningPoint(turn), ..joined() };
         let moves = |available: f64, required: f64| {
             let kind = CheckKind::Moves;
             check(&scene, &[], &Check { kind, of: 0, ok: true, required, available, margin: 1.0 })
@@ -563,23 +570,7 @@ mod tests {
     /// it is said.
     #[test]
     fn every_condition_has_its_sentences() {
-        let joined = "
-bank: t
-title: t
-problems:
-  p:
-    title: t
-    data: {}
-    scene:
-      bodies: {rod: {mass: 2 kg, shape: {rod: 1 m}, moves: in the plane, angle: from vertical}}
-      joints: {floor: {guides: rod.A, along: horizontal, pushes: up}, cord: {links: rod.B, to: [0 m, 3 m]}}
-      start: {rod: {angle: 10 deg}}
-      end: {angle: {of: rod, reaches: 20 deg}}
-    questions: {v: {ask: v}}
-";
-        let bank =
-            crate::bank::load::scenes_only(joined, "t.yaml").unwrap_or_else(|found| panic!("{found:?}"));
-        let joined = &bank.problems[0].cases[0].scene;
+        let joined = joined();
         let mut scenes = vec![joined.clone()];
         scenes.push(Scene { joints: Vec::new(), ..joined.clone() });
         scenes.push(Scene { joints: joined.joints[1..].to_vec(), ..joined.clone() });

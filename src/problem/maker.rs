@@ -653,7 +653,9 @@ impl<'p> Maker<'p> {
         }
         for (i, question) in self.problem.questions.iter().enumerate() {
             let answered = if question.label.quantity.is_word() {
-                solved.word(question.label).is_some()
+                // A sheet offers no word for what a draw does beyond what its problem declares.
+                let offered = make_key::offered(self.problem, question.label.quantity, &case.scene);
+                solved.word(question.label).is_some_and(|word| offered.contains(&word.as_str()))
             } else {
                 solved.get(question.label).is_some_and(|e| e.value().is_finite())
             };

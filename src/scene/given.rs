@@ -16,11 +16,12 @@ const RADIUS: (&str, &[Rule]) = ("m", &[Positive]);
 /// What a number is: its unit, and its rules.
 type Kind<'k> = (&'static str, &'k [Rule]);
 
-/// The unit of a way, of a speed along a line or of a turn.
+/// The unit of a way.
 const fn way(degree: Degree) -> &'static str {
     if matches!(degree, Degree::Along) { "m" } else { "1" }
 }
-const fn speed(degree: Degree) -> &'static str {
+/// The unit of a speed along a line or of a turn.
+pub const fn speed_unit(degree: Degree) -> &'static str {
     if matches!(degree, Degree::Along) { "m/s" } else { "rad/s" }
 }
 
@@ -77,7 +78,7 @@ macro_rules! walks {
                 forces(scene, pinned, tell);
                 for start in scene.start.$iter() {
                     match start {
-                        Start::Speed(c, v) => tell(v, (speed(c.degree), &[Finite])),
+                        Start::Speed(c, v) => tell(v, (speed_unit(c.degree), &[Finite])),
                         Start::Lamina { vx_m_s, vy_m_s, spin_rad_s, .. } => {
                             tell(vx_m_s, ("m/s", &[Finite]));
                             tell(vy_m_s, ("m/s", &[Finite]));
@@ -97,7 +98,7 @@ macro_rules! walks {
                     End::Travel(c, s) => tell(s, (way(c.degree), &[NotNegative])),
                     End::Position(c, s) => tell(s, (way(c.degree), &[Finite])),
                     End::Time(_, t) => tell(t, ("s", &[NotNegative])),
-                    End::Speed(c, v) => tell(v, (speed(c.degree), &[NotNegative])),
+                    End::Speed(c, v) => tell(v, (speed_unit(c.degree), &[NotNegative])),
                     End::Angle(_, angle) => tell(angle, ANGLE),
                 }
             }

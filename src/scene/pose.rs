@@ -667,14 +667,31 @@ impl<'a, T: Real> Layout<'a, T> {
             }
         })
     }
-    /// The way in this sense, looked for up to `far`, on which a torsion spring comes to be wound by half a turn.
-    pub fn overwinds(&self, strut: &Strut, relaxed: [T; 2], sense: f64, (far, step): (T, T)) -> Option<T> {
-        let turned = |way: T| {
-            let [c, s] = self.poses::<T>(way.signed(sense), false)?[strut.at.body].axis;
-            Some((relaxed[0] * s - relaxed[1] * c, dot(relaxed, [c, s])))
+    /// The first way in this sense, looked for up to `far`, on which a torsion spring comes to be wound by half a turn, from where it
+    /// is relaxed, or a load to its pulley.
+    pub fn overruns(&self, relaxed: &[[T; 2]], sense: f64, far: (T, T)) -> Option<T> {
+        let poses = |way: T| self.poses::<T>(way.signed(sense), false);
+        let changes = |value: &dyn Fn(T) -> Option<T>| {
+            root::changes(far, &|way| value(way).ok_or(())).unwrap_or_default()
         };
-        let found = root::changes((far, step), &|way| turned(way).map(|(sine, _)| sine).ok_or(())).ok()?;
-        found.into_iter().find(|way| turned(*way).is_some_and(|(_, cosine)| cosine.sign() < 0.0))
+        let twisted = self.scene.struts.iter().zip(relaxed).filter(|(strut, _)| strut.twists());
+        let wound = twisted.filter_map(|(strut, [x, y])| {
+            let axis = |way: T| Some(poses(way)?[strut.at.body].axis);
+            let ways = changes(&|way| axis(way).map(|[c, s]| *x * s - *y * c));
+            ways.into_iter().find(|way| axis(*way).is_some_and(|at| dot([*x, *y], at).sign() < 0.0))
+        });
+        let hung = self.steps.iter().flatten().filter_map(|(_, step)| match step {
+            Step::Hangs(_, hung) => {
+                changes(&|way| Some(self.left(hung, &poses(way)?) - hung.off.abs())).first().copied()
+            }
+            _ => None,
+        });
+        wound.chain(hung).reduce(|one, other| if other.below(one) { other } else { one })
+    }
+    /// How much of a cord is left for the load that hangs on it.
+    fn left<X: Followed<T>>(&self, hung: &Hung<T>, poses: &Poses<X>) -> X {
+        let (spot, over_m) = hung.other;
+        X::still(self.starts[hung.joint]) - self.distance(poses, spot, over_m)
     }
     /// Do two hinged rods lie in one line after this way, or a rod across its guide, or a point in a slot at the pin of its arm, where
     /// they could go on in two ways?
@@ -1077,8 +1094,7 @@ impl<'a, T: Real> Layout<'a, T> {
             }
             Step::Still(held, axis) => Pose::through(fixed(*axis), held.at, place(held, poses)),
             Step::Hangs(axis, hung) => {
-                let (spot, over_m) = hung.other;
-                let left = X::still(self.starts[hung.joint]) - self.distance(poses, spot, over_m);
+                let left = self.left(hung, poses);
                 let ahead = match hung.off.is_nothing() {
                     true => left,
                     false => open(left * left, X::still(hung.off.square())).square_root(),

@@ -275,7 +275,12 @@ fn answers(draft: &Draft, number: usize) -> Vec<(String, String)> {
             return word.map_or_else(String::new, |w| format!("`{}`", said(draft.words, w)));
         };
         let found = draft.found_for(q.label);
+        let value = draft.scene.as_asked(q.label, entry.value());
         let symbol = match found {
+            // A sign that no words tell is left out, as in the key.
+            Some(DerivedAnswer::Value(symbol)) if value > entry.value() => {
+                format!("$|{}| = ", draft.symbols.tex(symbol))
+            }
             // In the unit of the formulas too, where that is another.
             Some(DerivedAnswer::Value(symbol)) => {
                 let (name, shown) = (draft.symbols.tex(symbol), draft.symbols.shown(symbol));
@@ -284,7 +289,7 @@ fn answers(draft: &Draft, number: usize) -> Vec<(String, String)> {
             }
             _ => "$".to_owned(),
         };
-        told(draft, q, entry.value()).replacen('$', &symbol, 1)
+        told(draft, q, value).replacen('$', &symbol, 1)
     };
     draft.problem.questions.iter().map(|q| (format!("{number}.{}", q.id), answer(q))).collect()
 }

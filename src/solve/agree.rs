@@ -449,7 +449,7 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
     let refuse = |what| Err(Refusal::Unsupported(what));
     if scene.lead().is_some() {
         if scene.is_overwound(data) {
-            return refuse(Unsupported::Overwound);
+            return refuse(Unsupported::Overrun);
         }
         let joined = scene.bodies.iter().all(|b| b.planar.is_some()) && scene.ties.is_empty();
         let along = matches!(scene.end, End::Travel(..) | End::Position(..));

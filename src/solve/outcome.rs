@@ -594,8 +594,8 @@ pub enum Unsupported {
     JoinedInCompany,
     /// Friction in a guide fits no side of it or both, or turns about on the way.
     FrictionTurns,
-    /// A torsion spring that is wound by half a turn or more.
-    Overwound,
+    /// A torsion spring that is wound by half a turn or more, or a load that comes to its pulley.
+    Overrun,
     /// Rods of a linkage come to lie in one line, from where they could go on in two ways.
     InLine,
     /// A point of a body would pass through the surface that pushes another one: an impact.

@@ -38,7 +38,7 @@ const sound = async (page, what) => {
 const url = (file) => `file://${encodeURI(path.resolve(file))}`;
 
 let judged = 0, hinted = 0, slowest = 0;
-for (const sheet of sheets) {
+const rounds = async (sheet) => {
   const page = await opened(url(sheet.file));
   await ready(page);
   const names = await page.$$eval('.box input', (all) => all.map((e) => e.name));
@@ -75,11 +75,10 @@ for (const sheet of sheets) {
     }
   }
   await page.context().close();
-}
-holds(hinted > 300, `only ${hinted} hints`);
+};
 
 // The ladder of one wrong answer: check again, or the button, and never twice.
-for (const sheet of sheets.slice(0, 4)) {
+const ladder = async (sheet) => {
   const page = await opened(url(sheet.file));
   await ready(page);
   const { part, cell, hints } = sheet.rounds.slice(2, 6).flat().toSorted((a, b) => b.hints.length - a.hints.length)[0];
@@ -98,11 +97,12 @@ for (const sheet of sheets.slice(0, 4)) {
   holds(await page.locator('.hint').count() === hints.length, `${sheet.file}: hints that were said stay`);
   await sound(page, `${sheet.file} with hints`);
   await page.context().close();
-}
+};
 
 // One sheet as a student has it in hand: narrow, dark, by keyboard, kept, saved, read back, deleted.
 const [{ file, parts: [first], rounds: [[{ cell }]], button, answers }] = sheets;
-for (const settings of [{ viewport: { width: 360, height: 740 } }, { colorScheme: 'dark' }, { viewport: { width: 1280, height: 900 } }]) {
+const screens = [{ viewport: { width: 360, height: 740 } }, { colorScheme: 'dark' }, { viewport: { width: 1280, height: 900 } }];
+const screen = async (settings) => {
   const page = await opened(url(file), settings);
   await ready(page);
   await sound(page, `${file} ${JSON.stringify(settings)}`);
@@ -110,8 +110,8 @@ for (const settings of [{ viewport: { width: 360, height: 740 } }, { colorScheme
   await page.getByRole('button', { name: button }).first().click();
   await sound(page, `${file} checked ${JSON.stringify(settings)}`);
   await page.context().close();
-}
-{
+};
+const by_keyboard = async () => {
   const page = await opened(url(file));
   await ready(page);
   const focused = () => page.evaluate(() => document.activeElement.name ?? '');
@@ -136,16 +136,16 @@ for (const settings of [{ viewport: { width: 360, height: 740 } }, { colorScheme
   await page.emulateMedia({ media: 'print' });
   holds(!await page.locator('#answers').isVisible() && !await page.locator('.tools').isVisible(), `${file}: buttons are printed`);
   await page.context().close();
-}
-{
+};
+const without_scripts = async () => {
   const page = await opened(url(file), { javaScriptEnabled: false });
   holds(!await box(page, first).isVisible() && !await page.locator('#answers').isVisible(), `${file}: boxes without scripts`);
   holds(await page.locator('noscript').isVisible(), `${file}: nothing is said without scripts`);
   await page.context().close();
-}
+};
 
 // A site: over the network once, then with the server gone.
-{
+const served = async () => {
   const types = { '.html': 'text/html', '.js': 'text/javascript', '.gz': 'application/octet-stream' };
   const server = http.createServer((request, response) => {
     const asked = path.join(site.folder, decodeURIComponent(request.url));
@@ -168,20 +168,21 @@ for (const settings of [{ viewport: { width: 360, height: 740 } }, { colorScheme
   await page.reload();
   await once('without its server');
   await page.context().close();
-}
+};
+
 // Practice: one problem at a time; the first is missed, and comes again behind the others, empty.
-{
+const practised_on = async (settings) => {
+  const page = await opened(url(practice.file), settings);
+  await ready(page);
+  await sound(page, `practice ${JSON.stringify(settings)}`);
+  await box(page, practice.tasks[0][0][0]).fill('0.1234');
+  await page.keyboard.press('Enter');
+  await page.locator('.task:not([hidden]) summary').click();
+  await sound(page, `practice with a solution ${JSON.stringify(settings)}`);
+  await page.context().close();
+};
+const practised = async () => {
   const [first, ...others] = practice.tasks;
-  for (const settings of [{ viewport: { width: 360, height: 740 } }, { colorScheme: 'dark' }]) {
-    const page = await opened(url(practice.file), settings);
-    await ready(page);
-    await sound(page, `practice ${JSON.stringify(settings)}`);
-    await box(page, first[0][0]).fill('0.1234');
-    await page.keyboard.press('Enter');
-    await page.locator('.task:not([hidden]) summary').click();
-    await sound(page, `practice with a solution ${JSON.stringify(settings)}`);
-    await page.context().close();
-  }
   const page = await opened(url(practice.file));
   await ready(page);
   const shown = () => page.$$eval('.task:not([hidden]) .box input', (all) => all.map((e) => e.name));
@@ -230,12 +231,23 @@ for (const settings of [{ viewport: { width: 360, height: 740 } }, { colorScheme
   await page.locator('#over').click();
   await at(first, 'started over');
   await page.context().close();
-}
-{
+};
+const without_check = async () => {
   const page = await opened(url(off));
   holds(await page.locator('input, script, button').count() === 0, `${off}: self check is off`);
   await page.context().close();
-}
+};
+
+// Two pages are open at a time, each a process of its own: what is long comes first.
+const left = [
+  practised, by_keyboard, served,
+  ...sheets.map((sheet) => () => rounds(sheet)), ...sheets.slice(0, 4).map((sheet) => () => ladder(sheet)),
+  ...screens.map((settings) => () => screen(settings)), ...screens.slice(0, 2).map((settings) => () => practised_on(settings)),
+  without_scripts, without_check,
+].values();
+const lane = async () => { for (const task of left) await task(); };
+await Promise.all([lane(), lane()]);
+holds(hinted > 300, `only ${hinted} hints`);
 await browser.close();
 console.log(`${judged} answers and ${hinted} hints in ${sheets.length} pages; the slowest check took ${slowest.toFixed(0)} ms`);
 for (const fault of faults.slice(0, 40)) console.error(fault);

@@ -395,3 +395,31 @@ fn turns_count_in_an_angle_turned() {
         assert_eq!(compare(cell, entry).verdict, verdict, "{cell}");
     }
 }
+
+/// A wheel that spins in place, held by a block: the problem declares that it rolls at last, so its sheet offers the two senses alone.
+#[test]
+fn a_word_that_no_sheet_offers_is_no_answer() {
+    let bank = "
+bank: b
+title: B
+problems:
+  p:
+    title: P
+    data: {m: {name: mass, unit: kg, draw: always 4}}
+    regimes: [rolls_after]
+    scene:
+      surfaces: {i: {slope: 15 deg}}
+      bodies: {w: {mass: m, shape: {disc: 0.2 m}, radii: {rim: 0.2 m}, moves: along i}, b: {mass: 4 kg, moves: along i}}
+      ties:
+        - slips: {body: w, on its: rim, mu_s: 0.5, mu_k: 0.3}
+        - slides: {body: b, mu_s: 0.3, mu_k: 0.25}
+        - link: {from: {body: w, tied at: centre, leaves: back}, to: {body: b, tied at: centre, leaves: forward}}
+      start: {w: {speed: 0 m/s, spin: 20 rad/s}}
+      end: {turn: {of: w, by: 3 rad}}
+    questions: {which: {quantity: w.direction, ask: x}}
+    statement: x
+";
+    let bank = load::scenes_only(bank, "test").unwrap_or_else(|f| panic!("{f:#?}"));
+    let refused = Maker::new(&bank.problems[0], 1, "directions").variant("s").unwrap_err();
+    assert_eq!(refused.table, [("question which has no answer".to_owned(), 1)]);
+}

@@ -1,8 +1,9 @@
 //! Loads on cords that come from a rod over small pulleys, against formulas by hand: where the load has moved by `s(q)` at the angle `q` of the
 //! rod, `(I + M s'^2) q'^2 / 2` is what the weight of the rod gives less what holds the load back. The formulas know no poses.
 use crate::moving_lines::{G, near, read, told};
+use slipstick::scene::ask::{Label, Owner, Quantity};
 use slipstick::solve::agree;
-use slipstick::solve::outcome::Refusal;
+use slipstick::solve::outcome::{Refusal, Unsupported};
 
 const DOOR: f64 = 12.0;
 const LOAD: f64 = 2.0;
@@ -95,6 +96,27 @@ fn a_load_on_a_rough_incline() {
     let rope = "ties: door.B, over: [[0.8 m, 1.5 m], [0 m, 0 m]], to: load";
     let placed = format!(", placed: [{} m, -1 m]", -(3.0_f64.sqrt()));
     near(found(&placed, rope, "along: 30 deg, mu_k: 0.2"), [omega, alpha, v, tension, normal]);
+}
+
+/// How far the load is from its pulley bears on nothing before it comes there; what is beyond the end is not asked.
+#[test]
+fn a_load_that_comes_to_its_pulley_beyond_the_end() {
+    let told = |placed: &str, end: &str| {
+        let rope = "ties: door.B, over: [-0.5 m, 1 m], to: load";
+        let (bodies, joints, _) = scene(placed, rope, "along: vertical, through: [-0.5 m, 0 m]");
+        let swings =
+            format!("      start: {{door: {{angle: 80 deg, spin: -1 rad/s}}}}\n      end: {{{end}}}");
+        let bank = read(&bodies, &joints, &swings).unwrap();
+        agree::solve(&bank.problems[0].cases[0].scene, &[G])
+    };
+    let omega = |placed: &str| {
+        let solved = told(placed, "time: {of: door, is: 0.1 s}").unwrap();
+        solved.get(Label { quantity: Quantity::Omega, of: Owner::Body(0) }).unwrap().value()
+    };
+    let (near, far) = (omega(", placed: [-0.5 m, 0.6 m]"), omega(", placed: [-0.5 m, -3 m]"));
+    assert!((near / far - 1.0).abs() < 1e-14 && near > 0.0, "{near} {far}");
+    let refused = told(", placed: [-0.5 m, 0.6 m]", "angle: {of: door, reaches: 10 deg}").unwrap_err();
+    assert!(matches!(refused, Refusal::Unsupported(Unsupported::Overrun)), "{refused:?}");
 }
 
 /// Where it hangs has to be said, and a cord is no tie within one body.

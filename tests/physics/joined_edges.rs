@@ -171,7 +171,7 @@ end: {end}
         let bank = constants(text);
         agree::solve(&bank.problems[0].cases[0].scene, &[9.81]).err()
     };
-    let overwound = Some(Refusal::Unsupported(Unsupported::Overwound));
+    let overrun = Some(Refusal::Unsupported(Unsupported::Overrun));
     for end in [
         "{angle: {of: rod, reaches: 180 deg}}",
         "{angle: {of: rod, reaches: 200 deg}}",
@@ -179,7 +179,7 @@ end: {end}
         "{time: {of: rod, is: 30 s}}",
         "{speed: {of: rod, reaches: 40 rad/s}}",
     ] {
-        assert_eq!(refused(&rod(9.0, end)), overwound, "{end}");
+        assert_eq!(refused(&rod(9.0, end)), overrun, "{end}");
     }
     let q = f64::to_radians(179.0);
     let speed = (2.0 * (9.0 * q - q * q)).sqrt();

@@ -825,7 +825,7 @@ fn judge(m: &Machine, text: &str) -> Result<Outcome, String> {
         Err(refusal @ (Refusal::Disagree { .. } | Refusal::Inadmissible(_))) => {
             return Err(format!("{refusal:?}"));
         }
-        Err(Refusal::Unsupported(Unsupported::Overwound)) if matches!(&verdict, Verdict::Ends(end) if !end.springs.acted.is_empty() && end.springs.wound < 3.1) =>
+        Err(Refusal::Unsupported(Unsupported::Overrun)) if matches!(&verdict, Verdict::Ends(end) if !end.springs.acted.is_empty() && end.springs.wound < 3.1) =>
         {
             return Err("no torsion spring comes near half a turn".into());
         }

@@ -374,14 +374,9 @@ impl<'a, T: Real> Account<'a, T> {
         if self.scene.struts[s].twists() { x } else { (x * x + y * y).root() }
     }
 
-    /// The first way up to which a torsion spring is wound by half a turn.
-    fn overwinds(&self, far: (T, T)) -> Option<T> {
-        ball::unwatched(|| {
-            let all = self.scene.struts.iter().zip(&self.relaxed).filter(|(strut, _)| strut.twists());
-            let ways =
-                all.filter_map(|(strut, relaxed)| self.layout.overwinds(strut, *relaxed, self.sense, far));
-            ways.reduce(|one, other| least(one, &other))
-        })
+    /// [`Layout::overruns`].
+    fn overruns(&self, far: (T, T)) -> Option<T> {
+        ball::unwatched(|| self.layout.overruns(&self.relaxed, self.sense, far))
     }
     /// Does a spring of this length press, or pull, where it can do but one of them?
     fn bears(&self, s: usize, length: T) -> bool {
@@ -744,21 +739,21 @@ impl<'a, T: Real> Account<'a, T> {
             let apart = self.n.get(angle) - start.map_or_else(T::zero, |s| self.n.get(s));
             far = (apart * T::constant(Dd::PI / Dd::new(180.0))).signed(self.sense);
         }
-        let limit = ball::unwatched(|| self.overwinds((far + T::of(STEP), T::of(STEP))));
+        let limit = ball::unwatched(|| self.overruns((far + T::of(STEP), T::of(STEP))));
         let limit = limit.filter(|limit| limit.at_most(far));
-        // Short of half a turn of a torsion spring, beside which its moment has two signs.
+        // Short of half a turn of a torsion spring, beside which its moment has two signs, and of a pulley.
         far = limit.map_or(far, |limit| limit * T::of(1.0 - 1e-12));
         let begin = self.poses(T::zero())?;
         let backward = far.sign() < 0.0 || !ball::unwatched(|| self.presses(&begin, from))?;
         let from = (&begin, from);
         let found = if backward { None } else { self.reached(far, from)? };
-        let winds = match limit {
+        let overruns = match limit {
             Some(_) if matches!(scene.end, End::Angle(..)) => found.is_some(),
             Some(_) => found.is_none() && self.turning(far, from)?.is_none(),
             None => false,
         };
-        if winds && !backward && !self.proves() && self.stays_in_touch(far, from)? {
-            return Err(Refusal::Unsupported(Unsupported::Overwound));
+        if overruns && !backward && !self.proves() && self.stays_in_touch(far, from)? {
+            return Err(Refusal::Unsupported(Unsupported::Overrun));
         }
         // What leaves another surface on the way does not get there.
         let found = match found {

@@ -902,7 +902,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let (scene, n) = (self.mechanism.scene, self.mechanism.n);
         let ((asked, begins), mut far, level) = self.wanted();
         let limit =
-            self.mechanism.overwinds(self.sense, (far + look(), look())).filter(|limit| limit.at_most(far));
+            self.mechanism.overruns(self.sense, (far + look(), look())).filter(|limit| limit.at_most(far));
         far = limit.map_or(far, |limit| limit * T::of(SHORT));
         let (first, begin) = self.at(T::zero())?;
         let course = |farthest: T, slowest: f64, reached: bool| {
@@ -920,10 +920,10 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let by = teller.by.filter(|_| STEPS && !backward);
         let mut stop = self.followed(teller, (far, level), by, &mut least)?;
         let mut most = None;
-        let overwound =
-            || if limit.is_some() { Err(Refusal::Unsupported(Unsupported::Overwound)) } else { Ok(()) };
+        let overrun =
+            || if limit.is_some() { Err(Refusal::Unsupported(Unsupported::Overrun)) } else { Ok(()) };
         if stop.why == Why::Far && !matches!(scene.end, End::Time(..)) {
-            overwound()?;
+            overrun()?;
         }
         if let (End::Time(_, t), None) = (scene.end, by) {
             let t = n.get(t);
@@ -950,7 +950,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 stop = Stop { why: Why::Far, time: Some(t), ..self.stop(way, None, false, &mut least)? };
             } else {
                 if stop.why == Why::Far {
-                    overwound()?;
+                    overrun()?;
                 }
                 (stop.why, stop.time) = (Why::Rest, None);
             }

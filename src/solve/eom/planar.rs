@@ -944,14 +944,9 @@ impl<'a, T: Real> Mechanism<'a, T> {
     pub fn in_line(&self, way: T) -> bool {
         LOOKED_THROUGH && self.layout.in_line(way)
     }
-    /// The first way up to which a torsion spring is wound by half a turn.
-    pub fn overwinds(&self, sense: f64, far: (T, T)) -> Option<T> {
-        if !LOOKED_THROUGH {
-            return None;
-        }
-        let all = self.scene.struts.iter().zip(&self.relaxed).filter(|(strut, _)| strut.twists());
-        let ways = all.filter_map(|(strut, relaxed)| self.layout.overwinds(strut, *relaxed, sense, far));
-        ways.reduce(|one, other| if other.below(one) { other } else { one })
+    /// [`Layout::overruns`].
+    pub fn overruns(&self, sense: f64, far: (T, T)) -> Option<T> {
+        if LOOKED_THROUGH { self.layout.overruns(&self.relaxed, sense, far) } else { None }
     }
     /// Does a point of a body pass on this way through the surface that pushes another one of its points? One that starts beyond is no
     /// part of what the surface bears; what stands out over the rim of a wheel runs beside its rail.

@@ -120,10 +120,10 @@ impl<T: Real> Account<'_, T> {
             return Ok(());
         };
         self.sense = if sense == 0.0 { 1.0 } else { sense };
-        let wound = self.overwinds((way.abs(), T::of(STEP)));
+        let wound = self.overruns((way.abs(), T::of(STEP)));
         self.sense = 1.0;
         if wound.is_some() {
-            return Err(Refusal::Unsupported(Unsupported::Overwound));
+            return Err(Refusal::Unsupported(Unsupported::Overrun));
         }
         let (of, frequency) = (Owner::Body(self.lead), stiffness.root());
         self.say(road, Quantity::OmegaSmall, of, frequency);

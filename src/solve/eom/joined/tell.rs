@@ -101,8 +101,8 @@ impl<T: Real> Teller<'_, '_, T> {
         if LOOKED_THROUGH {
             self.gets_to(way)?;
         }
-        if mechanism.overwinds(sense, (way.abs(), look())).is_some() {
-            return Err(Refusal::Unsupported(Unsupported::Overwound));
+        if mechanism.overruns(sense, (way.abs(), look())).is_some() {
+            return Err(Refusal::Unsupported(Unsupported::Overrun));
         }
         self.tell_met(&mechanism.meets(sense, (way.abs(), look())), way.abs())?;
         let (of, frequency) = (Owner::Body(mechanism.lead), stiffness.root());
