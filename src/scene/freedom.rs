@@ -50,6 +50,16 @@ impl Scene {
             && (slips() || self.freedoms() > 1)
     }
 
+    /// Does it end where a contact that rubs comes to rest?
+    pub fn ends_slip(&self) -> bool {
+        let rubs = |body: usize| self.ties.iter().any(|t| t.rubbing().is_some_and(|rub| rub.body == body));
+        match self.end {
+            End::Rolling(_) => true,
+            End::TurningPoint(c) => self.goes_in_phases() && c.degree == Degree::Along && rubs(c.body),
+            _ => false,
+        }
+    }
+
     /// [`Scene::freedoms`] for these numbers: another count where data are equal by chance.
     pub fn freedoms_with(&self, number: &dyn Fn(Num) -> f64) -> usize {
         self.left(number, None)

@@ -409,8 +409,8 @@ fn form(
             _ => String::new(),
         };
         let turns = || make_key::turns_forward(scene, q.label);
-        let more = range(scene, q).or_else(turns);
-        return more.map_or_else(|| text.clone(), |r| format!("{text}, {}", words.get(r)));
+        let more = range(scene, q).or_else(turns).into_iter().chain(seen_from(scene, q));
+        return more.fold(text, |text, phrase| format!("{text}, {}", words.get(phrase)));
     }
     let mut text = match q.unit.ascii() {
         "1" => words.get("sheet.number").to_owned(),
@@ -454,6 +454,10 @@ fn range(scene: &Scene, q: &Question) -> Option<&'static str> {
     match q.label.quantity {
         Quantity::Phi if scene.goes_in_phases() => return Some("sheet.from_start_to_end"),
         Quantity::Direction if scene.goes_in_phases() => return Some("sheet.at_the_end"),
+        // Friction changes where a contact comes to rest.
+        Quantity::A | Quantity::Alpha | Quantity::Friction | Quantity::Tension if scene.ends_slip() => {
+            return Some("sheet.just_before");
+        }
         _ => {}
     }
     scene.springs().next()?;
@@ -464,6 +468,11 @@ fn range(scene: &Scene, q: &Question) -> Option<&'static str> {
         }
         _ => None,
     }
+}
+
+/// A direction that counts on what carries the scene, where all else is seen from the ground.
+fn seen_from(scene: &Scene, q: &Question) -> Option<&'static str> {
+    scene.carried.as_ref().filter(|_| q.label.quantity == Quantity::Direction).map(|_| "sheet.on_its_support")
 }
 
 /// `1 %`

@@ -161,6 +161,8 @@ mod tests {
             ("°", "deg", r"{}^\circ"),
             ("N·m", "N m", r"\mathrm{N}\,\mathrm{m}"),
             ("Nm", "N m", r"\mathrm{N}\,\mathrm{m}"),
+            ("Ns", "N s", r"\mathrm{N}\,\mathrm{s}"),
+            ("Nms", "N m s", r"\mathrm{N}\,\mathrm{m}\,\mathrm{s}"),
             ("s⁻¹", "1/s", r"1/\mathrm{s}"),
             ("1", "1", ""),
             ("%", "%", r"\%"),

@@ -35,6 +35,8 @@ const ANGLE: [i8; 4] = [0, 0, 0, 1];
 const SPIN: [i8; 4] = [0, 0, -1, 1];
 const SPEED: [i8; 4] = [0, 1, -1, 0];
 const FORCE: [i8; 4] = [1, 1, -2, 0];
+const MOMENTUM: [i8; 4] = [1, 1, -1, 0];
+const ACTION: [i8; 4] = [1, 2, -1, 0]; // of an angular momentum, too
 const ENERGY: [i8; 4] = [1, 2, -2, 0];
 const POWER: [i8; 4] = [1, 2, -3, 0];
 const PRESSURE: [i8; 4] = [1, -1, -2, 0];
@@ -96,6 +98,9 @@ pub(crate) const ROWS: &[UnitRow] = &[
     row(&["Nm"], "N m", ENERGY, 1, 1, 0, 0, "kMm"),
     row(&["Ncm"], "N cm", ENERGY, 1, 1, -2, 0, ""),
     row(&["Nmm"], "N mm", ENERGY, 1, 1, -3, 0, "k"),
+    row(&["Ns"], "N s", MOMENTUM, 1, 1, 0, 0, "kmM"),
+    row(&["Nms"], "N m s", ACTION, 1, 1, 0, 0, "k"),
+    row(&["Js"], "J s", ACTION, 1, 1, 0, 0, "k"),
     row(&["Ws"], "W s", ENERGY, 1, 1, 0, 0, "k"),
     row(&["Wh"], "W h", ENERGY, 3600, 1, 0, 0, "k"),
     row(&["ft-lb", "ft-lbf", "lb-ft", "lbf-ft"], "ft lbf", ENERGY, LBF * 3048, 1, -17, 0, ""),

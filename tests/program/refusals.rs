@@ -1290,3 +1290,30 @@ problems:
     let ran = room.run(&["lint", &room.path("bank.yaml"), "--seeds", "2"]);
     assert_eq!(ran.exit, Exit::Fine, "{}{}", ran.out, ran.err);
 }
+
+/// A sphere that is set down on a belt: where its slip ends friction changes, and its direction counts on the belt.
+#[test]
+fn a_sheet_says_which_side_of_an_instant_and_what_a_direction_counts_from() {
+    let room = Room::new();
+    let scene = "surfaces: {belt: level}
+carried: {along: belt, speed: x}
+bodies: {sphere: {mass: 3 kg, shape: {sphere: 0.1 m}, radii: {rim: 0.1 m}, moves: along belt}}
+ties: [slips: {body: sphere, on its: rim, mu_s: 0.3, mu_k: 0.25}]
+start: {sphere: {speed: 0 m/s, spin: 0 rad/s}}
+end: {stops slipping: sphere}";
+    for (asked, told) in [
+        (
+            "{quantity: friction, ask: f, unit: N}",
+            "in N, signed or with `forward` / `back`, just before the end",
+        ),
+        ("{quantity: direction, ask: d}", "`forward` or `back`, at the end, relative to the moving support"),
+    ] {
+        fs::write(room.path("bank.yaml"), constant("m/s, draw: always 4", scene, asked)).unwrap();
+        let (bank, roster, set) = (room.path("bank.yaml"), room.path("roster.csv"), room.path("set"));
+        let ran =
+            room.run(&["generate", &bank, "--roster", &roster, "--seed", "1", "--out", &set, "--force"]);
+        assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
+        let sheet = room.read("set/students/1/sheet.md");
+        assert!(sheet.contains(told), "{told}: {sheet}");
+    }
+}
