@@ -49,7 +49,7 @@ impl FileLayout {
     #[inline]
     pub fn line(&self, record: &Record) -> u64 {
         let told = self.told_line.and_then(|at| std::str::from_utf8(record.get(at)?).ok()?.parse().ok());
-        told.unwrap_or_else(|| record.line)
+        told.unwrap_or(record.line)
     }
 }
 
