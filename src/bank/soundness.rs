@@ -92,6 +92,7 @@ pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
     }
     carrier(scene, node, faults);
     loads(scene, node, faults);
+    thrown(scene, node, faults);
     let pinned = scene.bodies.iter().find(|b| b.is_pinned()).filter(|_| !scene.ties.is_empty());
     if let Some(pinned) = pinned {
         let (name, hint) = (Some(pinned.name.as_str()), "write a spring under `forces`");
@@ -152,13 +153,8 @@ fn on_lines(scene: &Scene, node: &Node, faults: &Faults) {
     let several = Some(count.as_str()).filter(|_| freedoms > 1 && slips.is_none());
     let held = scene.is_sprung();
     let twice = freedoms == 1 && scene.start.len() > 1 && !matches!(scene.end, End::Rolling(_));
-    // A motion that follows takes over one speed.
-    let follows = !scene.start.is_empty() && node.path.ends_with(".next");
     #[rustfmt::skip] // a table
-    let rules: [SceneRule; 6] = [
-        (slips.filter(|_| follows), "start", "`{}` slips, so its speed and its spin at the start are both given, or it starts from rest",
-            "write `start: at rest`"),
-        (several.filter(|_| follows), "start", "a scene with {} freedoms starts from rest", "write `start: at rest`"),
+    let rules: [SceneRule; 4] = [
         (is(freedoms == 0), "", "the ties leave nothing free to move", "take one of the ties away, or write `slips:` for a wheel that they keep from rolling"),
         (slips.filter(|_| held), "", "`{}` slips, and there is a spring; that is solved at an instant alone",
             "let the wheel roll, take the spring away, or write `end: at once`"),
@@ -168,7 +164,11 @@ fn on_lines(scene: &Scene, node: &Node, faults: &Faults) {
             "give one speed or spin"),
     ];
     tell(&rules, node, faults);
-    thrown(scene, slips, node, faults);
+    let told_twice = slips.filter(|_| scene.goes_in_phases() && scene.heading.is_some());
+    let end = part(node, "end");
+    let by_height = ["rise", "descent"].iter().any(|word| end.field(word).is_some());
+    let hint = if by_height { "write `travel`, along its line" } else { "take `heading` away" };
+    tell(&[(told_twice, "end", "`{}` is thrown; how it starts says which way it goes", hint)], node, faults);
 }
 
 /// Bodies that rest on wheels: how the wheels share the load is not known, so nothing is asked of it.
@@ -242,10 +242,6 @@ fn tell(rules: &[SceneRule], node: &Node, faults: &Faults) {
         let Some(who) = who else { continue };
         let hint = match *hint {
             "" => None,
-            start if start.contains("`start:") && node.path.ends_with(".next") => Some(
-                "it starts as the motion before it ends: let its ties leave one freedom, without slip"
-                    .to_owned(),
-            ),
             hint => Some(hint.replace("{}", who)),
         };
         faults.maybe(part(node, field), message.replace("{}", who), hint);
@@ -389,15 +385,11 @@ fn part<'n>(node: &'n Node, name: &str) -> &'n Node {
     node.field(name).unwrap_or(node)
 }
 
-/// What begins to roll starts with slip, and what starts with slip needs no heading.
-fn thrown(scene: &Scene, slips: Option<&str>, node: &Node, faults: &Faults) {
-    let slipping = |body: usize| {
-        let on = |t: &Tie| matches!(t, Tie::Slip { body: b, .. } if *b == body);
-        scene.ties.iter().any(on)
-    };
-    if let End::Rolling(c) = scene.end
-        && (scene.start.is_empty() || !slipping(c.body))
-    {
+/// What begins to roll starts with slip.
+fn thrown(scene: &Scene, node: &Node, faults: &Faults) {
+    let End::Rolling(c) = scene.end else { return };
+    let slips = |t: &Tie| matches!(t, Tie::Slip { body, .. } if *body == c.body);
+    if scene.start.is_empty() || !scene.ties.iter().any(slips) {
         let name = scene.bodies.get(c.body).map_or("ball", |b| b.name.as_str());
         faults.hint(
             part(node, "end"),
@@ -405,11 +397,6 @@ fn thrown(scene: &Scene, slips: Option<&str>, node: &Node, faults: &Faults) {
             told!("write `slips:` for `{name}` and `start: {{{name}: {{speed: v0, spin: w0}}}}`"),
         );
     }
-    let told_twice = slips.filter(|_| scene.goes_in_phases() && scene.heading.is_some());
-    let end = part(node, "end");
-    let by_height = ["rise", "descent"].iter().any(|word| end.field(word).is_some());
-    let hint = if by_height { "write `travel`, along its line" } else { "take `heading` away" };
-    tell(&[(told_twice, "end", "`{}` is thrown; how it starts says which way it goes", hint)], node, faults);
 }
 
 /// Names in the statement and in the questions are symbols of the data or names that every template knows.

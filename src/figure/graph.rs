@@ -1,8 +1,8 @@
 //! Graphs for solutions: speed and friction over the way of a wheel on a spring, angular speed over the angle of a pinned
 //! body, the two speeds that meet where a thrown body begins to roll.
 //!
-//! Every point of a curve is a variant of its own, solved by both roads ([`maker::from_values`]) with another end: no formula
-//! stands here. What a solver refuses is left out of the curve.
+//! Every point of a curve is the scene with another end, solved by both roads ([`maker::ending`]): no formula stands here. What a
+//! solver refuses is left out of the curve.
 use crate::bank::{FigureLabels, Problem};
 use crate::figure::bars::figures;
 use crate::figure::names;
@@ -12,7 +12,8 @@ use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, RunStyle, TextRun, symbol};
 use crate::plot::{Axis, AxisScale};
 use crate::problem::maker::{self, Variant};
-use crate::scene::{Coordinate, Degree, End, Num, Owner, Quantity, Slope, Span, Tie};
+use crate::scene::{Coordinate, Degree, End, Num, Owner, Quantity, Scene, Slope, Span, Tie};
+use crate::solve::outcome::Solved;
 use crate::words::Words;
 
 /// Points of a curve.
@@ -53,34 +54,19 @@ pub struct Mark {
     pub(crate) label: String,
 }
 
-/// The same problem with another end, one for each value, solved.
-fn sampled(
-    problem: &Problem,
-    variant: &Variant,
-    ends: impl Iterator<Item = (f64, End)>,
-) -> Vec<(f64, Variant)> {
-    let mut other = problem.clone();
-    let mut solved = Vec::new();
-    for (x, end) in ends {
-        if let Some(case) = other.cases.get_mut(variant.case) {
-            case.scene.end = end;
-            case.scene.heading = None;
-        }
-        if let Ok(variant) = maker::from_values(&other, variant.case, &variant.values) {
-            solved.push((x, variant));
-        }
-    }
-    solved
+/// The same scene with another end, one for each value, solved.
+fn sampled(scene: &Scene, variant: &Variant, ends: impl Iterator<Item = (f64, End)>) -> Vec<(f64, Solved)> {
+    let scene = Scene { heading: None, ..scene.clone() };
+    ends.filter_map(|(x, end)| Some((x, maker::ending(&scene, end, &variant.data)?))).collect()
 }
 
-fn curve(solved: &[(f64, Variant)], quantity: Quantity, body: usize) -> Vec<(f64, f64)> {
-    let of = |(x, v): &(f64, Variant)| Some((*x, value(v, quantity, body).filter(|y| y.is_finite())?));
+fn curve(solved: &[(f64, Solved)], quantity: Quantity, body: usize) -> Vec<(f64, f64)> {
+    let of = |(x, s): &(f64, Solved)| Some((*x, value(s, quantity, body).filter(|y| y.is_finite())?));
     solved.iter().filter_map(of).collect()
 }
 
-fn value(variant: &Variant, quantity: Quantity, body: usize) -> Option<f64> {
-    let of =
-        |owner: Owner| variant.solved.get(crate::scene::Label { quantity, of: owner }).map(|e| e.value());
+fn value(solved: &Solved, quantity: Quantity, body: usize) -> Option<f64> {
+    let of = |owner: Owner| solved.get(crate::scene::Label { quantity, of: owner }).map(|e| e.value());
     of(Owner::Body(body)).or_else(|| of(Owner::Scene))
 }
 
@@ -99,7 +85,7 @@ pub fn spring_curves(problem: &Problem, variant: &Variant) -> Option<SpringCurve
     let End::Travel(at @ Coordinate { body, degree: Degree::Along }, asked) = scene.end else { return None };
     let of = |n: Num| scene.value(n, &variant.data);
     let asked = of(asked);
-    let turn = value(variant, Quantity::DTurn, body).filter(|d| d.is_finite() && *d < 20.0 * asked);
+    let turn = value(&variant.solved, Quantity::DTurn, body).filter(|d| d.is_finite() && *d < 20.0 * asked);
     // The end that is asked ends the motion, unless the whole of it is asked about.
     let (turn, far) = match scene.span {
         Span::ToEnd => (None, asked),
@@ -110,13 +96,13 @@ pub fn spring_curves(problem: &Problem, variant: &Variant) -> Option<SpringCurve
         let x = (far * s).clamp(least, far * (1.0 - 1e-9));
         (x, End::Travel(at, Num::Fixed(x)))
     });
-    let solved = sampled(problem, variant, ends);
+    let solved = sampled(scene, variant, ends);
     let (speed, friction) = (curve(&solved, Quantity::V, body), curve(&solved, Quantity::Friction, body));
     let mu = scene.ties.iter().find_map(|t| match t {
         Tie::Roll { body: b, mu_s: Some(mu), .. } if *b == body => Some(of(*mu)),
         _ => None,
     });
-    let limit = mu.zip(value(variant, Quantity::Normal, body)).map(|(mu, n)| mu * n);
+    let limit = mu.zip(value(&variant.solved, Quantity::Normal, body)).map(|(mu, n)| mu * n);
     Some(SpringCurves { body, asked, turn, speed, friction, limit })
 }
 
@@ -161,7 +147,7 @@ pub fn all(problem: &Problem, variant: &Variant, words: &Words) -> Vec<(String, 
 fn speed(view: &SceneView, c: &SpringCurves) -> Picture {
     let words = view.words;
     let word = |name: &str| word(view, name);
-    let v = |q: Quantity| value(view.variant, q, c.body);
+    let v = |q: Quantity| value(&view.variant.solved, q, c.body);
     let mut marks = Vec::new();
     if let Some(y) = v(Quantity::V) {
         marks.push(Mark { x: c.asked, y, label: word("asked") });
@@ -181,7 +167,7 @@ fn speed(view: &SceneView, c: &SpringCurves) -> Picture {
 fn friction(view: &SceneView, c: &SpringCurves) -> Picture {
     let words = view.words;
     let word = |name: &str| word(view, name);
-    let v = |q: Quantity| value(view.variant, q, c.body);
+    let v = |q: Quantity| value(&view.variant.solved, q, c.body);
     let mut marks = Vec::new();
     if let Some(y) = v(Quantity::Friction) {
         marks.push(Mark { x: c.asked, y, label: word("asked") });
@@ -221,13 +207,13 @@ fn swing(view: &SceneView) -> Option<Picture> {
         let x = from + (far - from) * s.max(1e-4);
         (x, End::Angle(at, Num::Fixed(x)))
     });
-    let mut points = curve(&sampled(view.problem, view.variant, ends), Quantity::Omega, body);
+    let mut points = curve(&sampled(view.scene, view.variant, ends), Quantity::Omega, body);
     if points.len() < 4 {
         return None;
     }
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     let word = |name: &str| word(view, name);
-    let y = value(view.variant, Quantity::Omega, body)?;
+    let y = value(&view.variant.solved, Quantity::Omega, body)?;
     let marks = vec![Mark { x: asked, y, label: word("asked") }];
     let line = Curve { points, look: 0, label: symbol::symbol(r"\omega") };
     let (x, y) = ((word("angle"), "°"), (word("spin"), "rad/s"));
@@ -239,9 +225,8 @@ fn slip(view: &SceneView) -> Option<Picture> {
     let thrown = view.scene.thrown()?;
     let (body, radius) = (thrown.body, view.of(thrown.radius_m));
     let at = Coordinate { body, degree: Degree::Along };
-    let mut rolling = view.problem.clone();
-    rolling.cases.get_mut(view.variant.case)?.scene.end = End::Rolling(at);
-    let met = maker::from_values(&rolling, view.variant.case, &view.variant.values).ok()?;
+    let ending = |end: End| maker::ending(view.scene, end, &view.variant.data);
+    let met = ending(End::Rolling(at))?;
     let when = value(&met, Quantity::T, body).filter(|t| t.is_finite() && *t > 0.0)?;
     let asked = match view.scene.end {
         End::Time(_, n) => Some(view.of(n)),
@@ -250,17 +235,13 @@ fn slip(view: &SceneView) -> Option<Picture> {
     let far = asked.unwrap_or(0.0).max(when * 1.3);
     // Speeds with their signs: the displacement of a short while shows the sense.
     let signed = |t: f64| -> Option<(f64, f64)> {
-        let mut problem = view.problem.clone();
-        let end = End::Time(at, Num::Fixed(t));
-        problem.cases.get_mut(view.variant.case)?.scene.end = end;
-        let v = maker::from_values(&problem, view.variant.case, &view.variant.values).ok()?;
-        Some((value(&v, Quantity::V, body)?, value(&v, Quantity::Omega, body)?))
+        let then = ending(End::Time(at, Num::Fixed(t)))?;
+        Some((value(&then, Quantity::V, body)?, value(&then, Quantity::Omega, body)?))
     };
     let (v0, w0) = (view.of(thrown.speed_m_s), view.of(thrown.spin_rad_s));
-    let a = |v: &Variant, q: Quantity| value(v, q, body);
     // Both are straight while it slips: two points are enough; magnitudes get the sign nearer to the line.
     let common = {
-        let v = a(&met, Quantity::V)?;
+        let v = value(&met, Quantity::V, body)?;
         let half = signed(when / 2.0)?;
         let fits = |end: f64| (((v0 + end) / 2.0).abs() - half.0).abs();
         if fits(v) <= fits(-v) { v } else { -v }

@@ -1240,9 +1240,11 @@ impl Teller<'_, '_> {
                 let name = if turned_deg.is_some() { "weld" } else { "hinge" };
                 self.say(name, &[("one", &self.called(one)), ("other", &self.called(other))])
             }
-            JointKind::Guide { at, line, one_sided, .. } => {
+            JointKind::Guide { at, line, one_sided, mu_k, .. } => {
                 let what = if one_sided { "touches" } else { "guide" };
-                self.say(what, &[("point", &self.called(at)), ("line", &self.straight(line))])
+                let guide = self.say(what, &[("point", &self.called(at)), ("line", &self.straight(line))]);
+                let rubs = |mu| self.say("rubs", &[("mu", &say::text(self.view, mu, ""))]);
+                mu_k.map_or_else(|| guide.clone(), |mu| format!("{guide} {}", rubs(mu)))
             }
             JointKind::Contact { at, radius_m, surface, rolls, teeth } => {
                 let what = match rolls {

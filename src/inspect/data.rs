@@ -113,7 +113,7 @@ fn constants(problem: &Problem) -> Option<Data> {
     let mut all = problem.cases.iter().enumerate().filter(|(_, case)| case.is_constant()).map(of_case);
     let first = all.next()?;
     let holds = |(case, data, _): &Data| {
-        agree::solve(&problem.cases[*case].scene, data).is_ok_and(|solved| fits(problem, *case, &solved))
+        agree::answers(&problem.cases[*case].scene, data).is_ok_and(|solved| fits(problem, *case, &solved))
     };
     if holds(&first) { Some(first) } else { Some(all.find(holds).unwrap_or(first)) }
 }
@@ -183,7 +183,7 @@ fn given(problem: &Problem, set: &[String]) -> Result<Data, Findings> {
         shown.push(format!("g = {fixed_g} m/s^2"));
     }
     let solves = |c: &usize| {
-        agree::solve(&problem.cases[*c].scene, &data).is_ok_and(|solved| fits(problem, *c, &solved))
+        agree::answers(&problem.cases[*c].scene, &data).is_ok_and(|solved| fits(problem, *c, &solved))
     };
     let case = fitting.iter().copied().find(solves).or(fitting.first().copied()).unwrap_or(0);
     Ok((case, data, shown))

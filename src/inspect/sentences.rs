@@ -9,7 +9,8 @@ use crate::problem::rule::inadmissible;
 use crate::scene::given;
 use crate::scene::pose::{Choice, Gap, Layout};
 use crate::scene::{
-    AsIf, Asked, Coordinate, Degree, End, Found, Mass, Num, Numbers, Planar, Quantity, Scene, Span, Spot, Tie,
+    AsIf, Asked, Coordinate, Degree, End, Found, JointKind, Mass, Num, Numbers, Planar, Quantity, Scene,
+    Span, Spot, Tie,
 };
 use crate::solve::ladder::{self, Force, Taken};
 use crate::solve::method::{Method, Rung};
@@ -112,6 +113,7 @@ pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
         CheckKind::SlipEnds if c.available.is_infinite() => "never",
         CheckKind::SlipEnds if c.required < c.available => "slips",
         CheckKind::SlipEnds => "rolls",
+        CheckKind::UnderWay if c.available == 0.0 => "rests",
         CheckKind::UnderWay => "is",
         CheckKind::StaticLimit if c.required <= c.available => "could",
         CheckKind::StaticLimit => "could_not",
@@ -460,6 +462,16 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
     }
 }
 
+/// What is placed in a straight guide and hangs on a cord from another body can be followed, save where it starts at its pulley.
+fn hangs_at_its_pulley(scene: &Scene, body: usize) -> bool {
+    let placed = scene.planar(body).is_some_and(|planar| planar.origin_m.is_some());
+    let held = |is: fn(&JointKind) -> bool| {
+        scene.joints.iter().any(|j| is(&j.kind) && j.kind.spots().any(|spot| spot.body == body))
+    };
+    let hangs = held(|kind| matches!(kind, JointKind::Cord { beyond: Some(_), .. }));
+    placed && hangs && held(|kind| matches!(kind, JointKind::Guide { .. }))
+}
+
 /// Why joined bodies are not put where the joints and the data say.
 fn misplaced(scene: &Scene, refusal: &Refusal) -> String {
     let when = |at_start: &bool| if *at_start { "at the start" } else { "on the way" };
@@ -469,6 +481,7 @@ fn misplaced(scene: &Scene, refusal: &Refusal) -> String {
             let name = match scene.is_still() && scene.starts_from_rest() {
                 true if open && scene.bodies[*index].turns => "turns",
                 true => "at_once",
+                false if hangs_at_its_pulley(scene, *index) => "at_its_pulley",
                 false => "on_the_way",
             };
             say(&format!("refused.unplaced.{name}"), &[("body", &id(scene, *index))])

@@ -184,7 +184,10 @@ impl<'p> Methods<'p> {
                 }
             }
         }
-        found.into_iter().flatten().collect()
+        // In one piece: collected, it would grow piece by piece.
+        let mut all = Vec::with_capacity(found.len());
+        all.extend(found.into_iter().flatten());
+        all
     }
 
     /// The solutions of the scenes that these methods take for the right one.

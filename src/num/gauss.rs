@@ -67,25 +67,9 @@ pub fn ending<T: Real>() -> (&'static Rule, f64, f64) {
     if T::is_double() { (&ENDING, 5e-8, 5e-8) } else { long::<T>() }
 }
 
-/// The nodes of a panel, as shares of it, ascending.
-pub fn nodes() -> &'static [Dd] {
-    &SHORT.nodes
-}
-/// [`Rule::mean`] of a panel of [`NODES`] nodes.
-pub fn mean<T: Real>(values: &[T]) -> T {
-    SHORT.mean(values)
-}
-/// [`Rule::at`] of a panel of [`NODES`] nodes.
-pub fn at<T: Real>(values: &[T], share: T) -> T {
-    SHORT.at(values, share)
-}
-/// Is what has these values at the nodes of a panel smooth ([`Rule::rough`])?
-pub fn smooth<T: Real>(values: &[T], share: f64, beside: f64) -> bool {
-    SHORT.rough(values, share, beside) <= 1.0
-}
-/// [`Rule::running`] of a panel of [`NODES`] nodes.
-pub fn running<T: Real>(values: &[T]) -> PerNode<T> {
-    SHORT.running(values)
+/// A panel of [`NODES`] nodes.
+pub fn short() -> &'static Rule {
+    &SHORT
 }
 
 impl Rule {
@@ -183,39 +167,6 @@ impl Rule {
     }
 }
 
-/// The integral of a function that is smooth within (a, b), to rounding.
-///
-/// Errors: the function's own, and a quadrature that does not settle after 40 halvings or a few hundred panels.
-pub fn integral<T: Real, E: From<Unsettled>>(
-    mut f: impl FnMut(T) -> Result<T, E>,
-    a: T,
-    b: T,
-) -> Result<T, E> {
-    SHORT.integral(&mut f, (a, b), 0.0)
-}
-
-/// The same with the panels of [`long`].
-///
-/// Errors: those of [`integral`].
-pub fn long_integral<T: Real, E: From<Unsettled>>(
-    mut f: impl FnMut(T) -> Result<T, E>,
-    a: T,
-    b: T,
-) -> Result<T, E> {
-    long::<T>().0.integral(&mut f, (a, b), 0.0)
-}
-
-/// The same of a function that is a sum of terms of this magnitude: about a zero of it their rounding is no roughness.
-///
-/// Errors: those of [`integral`].
-pub fn integral_of_terms<T: Real, E: From<Unsettled>>(
-    mut f: impl FnMut(T) -> Result<T, E>,
-    ends: (T, T),
-    terms: f64,
-) -> Result<T, E> {
-    SHORT.integral(&mut f, ends, terms)
-}
-
 /// One panel.
 struct Over<T> {
     integral: T,
@@ -225,16 +176,20 @@ struct Over<T> {
 }
 
 impl Rule {
-    fn integral<T: Real, E: From<Unsettled>>(
+    /// The integral of a function that is smooth between these ends, to rounding; of a sum of terms of this magnitude, whose rounding
+    /// is no roughness about a zero of it.
+    ///
+    /// Errors: the function's own, and a quadrature that does not settle after 40 halvings or a few hundred panels.
+    pub fn integral<T: Real, E: From<Unsettled>>(
         &self,
-        f: &mut impl FnMut(T) -> Result<T, E>,
+        mut f: impl FnMut(T) -> Result<T, E>,
         ends: (T, T),
         terms: f64,
     ) -> Result<T, E> {
         let rounding = 16.0 * T::SETTLED / SMOOTH * terms;
-        let whole = self.panel(f, ends, rounding)?;
+        let whole = self.panel(&mut f, ends, rounding)?;
         let scale = whole.size;
-        self.halves(f, ends, rounding, whole, scale, (HALVINGS, &mut { PANELS }))
+        self.halves(&mut f, ends, rounding, whole, scale, (HALVINGS, &mut { PANELS }))
     }
 
     fn panel<T: Real, E>(
@@ -309,11 +264,12 @@ mod tests {
     #[test]
     fn polynomials_are_exact_to_thirty_digits() {
         for degree in [0u32, 1, 2, 7, 24, 47] {
-            let values: Vec<Dd> = nodes().iter().map(|x| (0..degree).fold(Dd::ONE, |p, _| p * *x)).collect();
+            let values: Vec<Dd> =
+                short().nodes.iter().map(|x| (0..degree).fold(Dd::ONE, |p, _| p * *x)).collect();
             let known = Dd::ONE / Dd::new(f64::from(degree) + 1.0);
-            assert!(((mean(&values) - known) / known).hi.abs() < 1e-29, "{degree}");
+            assert!(((short().mean(&values) - known) / known).hi.abs() < 1e-29, "{degree}");
             if degree < 24 {
-                for (x, r) in nodes().iter().zip(running(&values)) {
+                for (x, r) in short().nodes.iter().zip(short().running(&values)) {
                     let power = (0..=degree).fold(Dd::ONE, |p, _| p * *x);
                     assert!((r - power * known).hi.abs() < 1e-29, "{degree}");
                 }
@@ -323,18 +279,18 @@ mod tests {
     #[test]
     fn between_the_nodes_a_polynomial_is_itself() {
         let of = |x: Dd| (0..23).fold(Dd::new(3.0), |p, _| p * x - Dd::new(0.5));
-        let values: Vec<Dd> = nodes().iter().map(|x| of(*x)).collect();
-        for x in [0.0, 1e-3, 0.4, 0.999, 1.0].map(Dd::new).into_iter().chain([nodes()[5]]) {
-            assert!((at(&values, x) - of(x)).hi.abs() < 1e-28, "{x:?}");
+        let values: Vec<Dd> = short().nodes.iter().map(|x| of(*x)).collect();
+        for x in [0.0, 1e-3, 0.4, 0.999, 1.0].map(Dd::new).into_iter().chain([short().nodes[5]]) {
+            assert!((short().at(&values, x) - of(x)).hi.abs() < 1e-28, "{x:?}");
         }
     }
     #[test]
     fn a_pole_nearby_is_halved_away() {
         // int_0^1 dx / (x + 1e-6) = ln(1000001), in double-doubles and in doubles.
         let f = |x: Dd| Ok::<_, Unsettled>(Dd::ONE / (x + Dd::new(1e-6)));
-        let found = integral(f, Dd::ZERO, Dd::ONE).unwrap();
+        let found = short().integral(f, (Dd::ZERO, Dd::ONE), 0.0).unwrap();
         assert!((found.hi - 13.815_511_557_963_774).abs() < 1e-14, "{found:?}");
-        let found = integral(|x: f64| Ok::<_, Unsettled>(1.0 / (x + 1e-6)), 0.0, 1.0).unwrap();
+        let found = short().integral(|x: f64| Ok::<_, Unsettled>(1.0 / (x + 1e-6)), (0.0, 1.0), 0.0).unwrap();
         assert!((found - 13.815_511_557_963_774).abs() < 1e-13, "{found:?}");
     }
     /// A sum of terms that all but cancel, over a short way about their zero.
@@ -345,13 +301,13 @@ mod tests {
             calls += 1;
             Ok::<_, Unsettled>((1e3 + x) - 1e3)
         };
-        integral_of_terms(f, (0.0, 1e-7), 1e3).unwrap();
+        short().integral(f, (0.0, 1e-7), 1e3).unwrap();
         assert_eq!(calls, NODES);
     }
     #[test]
     fn what_does_not_settle_says_so() {
         let f = |x: Dd| Ok::<_, Unsettled>(if x.hi < 1.0 / 3.0 { Dd::ZERO } else { Dd::ONE });
-        let gap = integral(f, Dd::ZERO, Dd::ONE).unwrap_err();
+        let gap = short().integral(f, (Dd::ZERO, Dd::ONE), 0.0).unwrap_err();
         assert!(gap.gap > 0.0, "{gap:?}");
     }
 }

@@ -5,12 +5,13 @@ use smallvec::{SmallVec, smallvec};
 /// Steps after which the bracket has been halved beyond any double-double.
 const STEPS: u32 = 400;
 
-/// The places from 0 to `far` at which a value changes its sign, looked for in steps and in the dips between them; none beyond where
-/// there is no value.
+/// The places from 0 to `far` at which a value changes its sign, looked for in steps, at these `stops` and in the dips between them;
+/// none beyond where there is no value.
 ///
 /// Errors: those of the value, save at its steps.
 pub fn changes<T: Real, E>(
     (far, step): (T, T),
+    stops: &[T],
     value: &dyn Fn(T) -> Result<T, E>,
 ) -> Result<SmallVec<[T; 4]>, E> {
     let mut found = SmallVec::new();
@@ -19,8 +20,9 @@ pub fn changes<T: Real, E>(
     while let Some((before, last)) = seen.last().copied()
         && before.below(far)
     {
-        let next = before + step;
-        let next = if next.below(far) { next } else { far };
+        let stops = stops.iter().copied().filter(|stop| before.below(*stop));
+        let next =
+            stops.chain([far]).fold(before + step, |one, other| if other.below(one) { other } else { one });
         let Ok(now) = value(next) else { break };
         if last.sign() * now.sign() < 0.0 {
             found.push(between_values(before, next, now.sign() > 0.0, value)?);
@@ -38,6 +40,55 @@ pub fn changes<T: Real, E>(
         }
     }
     Ok(found)
+}
+
+/// The places from 0 to `far` at which an even value, whose bends are all wider than a step, is least or greatest.
+pub fn turns<T: Real, E>((far, step): (T, T), value: &dyn Fn(T) -> Result<T, E>) -> SmallVec<[T; 4]> {
+    let hair = step.scale2(-20);
+    changes((far, step), &[], &|x| Ok::<_, E>(value(x + hair)? - value(x)?)).unwrap_or_default()
+}
+
+/// How a way is looked through: the first step, the widest to which steps grow, and the steps at least from one stop to the next.
+pub type Looks = [f64; 3];
+
+/// The first place at which a value that sets off above 0 (or `rising` below it) no longer is there, however shortly, on the way from 0
+/// to the last of `stops`, at each of which its law changes: between which places. The values before it are `told`.
+///
+/// Errors: those of the value.
+pub fn leaves<T: Real, E>(
+    stops: impl Iterator<Item = T>,
+    [mut step, widest, pieces]: Looks,
+    rising: bool,
+    value: &dyn Fn(T) -> Result<T, E>,
+    told: &mut dyn FnMut(T),
+) -> Result<Option<[T; 2]>, E> {
+    let mut seen: SmallVec<[(T, T); 3]> = smallvec![(T::zero(), value(T::zero())?)];
+    for stop in stops {
+        // A spring may turn it back and forth within the little way on which it is met.
+        let most = f64::min(widest, (stop - seen[seen.len() - 1].0).size() / pieces);
+        while let Some((before, _)) = seen.last().copied()
+            && before.below(stop)
+        {
+            // Two springs may be met within the last digit: so short a step leads nowhere.
+            let next = before + T::of(f64::min(step, most));
+            let next = if before.below(next) && next.below(stop) { next } else { stop };
+            step = f64::min(2.0 * step, widest);
+            let now = value(next)?;
+            if now.sign() == 0.0 || (now.sign() > 0.0) == rising {
+                return Ok(Some([before, next]));
+            }
+            told(now);
+            seen.push((next, now));
+            // Between two looks it may have been gone and back.
+            if let Some([left, at, _]) = dipped(&seen, value)? {
+                return Ok(Some([left, at]));
+            }
+            if seen.len() == 3 {
+                seen.remove(0);
+            }
+        }
+    }
+    Ok(None)
 }
 
 /// Of three looks at a value that has one sign at all of them: a place between two of them where it has not, in the middle.

@@ -758,6 +758,12 @@ pub fn from_values(problem: &Problem, case: usize, values: &[Option<Decimal>]) -
     })
 }
 
+/// What both roads agree on where the scene ends so: for curves, which need neither a proof nor wrong methods.
+#[cfg(feature = "program")]
+pub fn ending(scene: &Scene, end: End, data: &[f64]) -> Option<Solved> {
+    agree::answers(&Scene { end, ..scene.clone() }, data).ok()
+}
+
 /// The variant of a sheet's values, for who checks an answer: what a sheet puts was drawn because both roads and an enclosure
 /// agree on it, so the first road gives the answers.
 ///

@@ -10,7 +10,21 @@ fn stand_in(datum: usize) -> f64 {
 impl Scene {
     /// Coordinates less the ties that say something of their own, whatever the data; contacts that slip or slide hold nothing.
     pub fn freedoms(&self) -> usize {
-        self.left(&|number| self.any(number), None)
+        self.left(&|number| self.any(number), None, &[])
+    }
+
+    /// This coordinate, and others whose velocities with its own give all that the ties leave open, whatever the data.
+    pub fn free(&self, first: Coordinate) -> Vec<Coordinate> {
+        let mut free = vec![first];
+        for c in self.coordinates() {
+            let left = |free: &[Coordinate]| self.left(&|number| self.any(number), None, free);
+            let before = left(&free);
+            free.push(c);
+            if left(&free) == before {
+                free.pop();
+            }
+        }
+        free
     }
 
     /// A number, whatever the data.
@@ -35,7 +49,7 @@ impl Scene {
     /// Do the other ties hold a contact that is said to slip?
     fn holds_slip(&self) -> bool {
         let mut slips = (0..self.ties.len()).filter(|t| matches!(self.ties[*t], Tie::Slip { .. }));
-        slips.any(|t| self.left(&|number| self.any(number), Some(t)) == self.freedoms())
+        slips.any(|t| self.left(&|number| self.any(number), Some(t), &[]) == self.freedoms())
     }
 
     /// Is it followed in phases, each of which lasts until a contact that rubs comes to rest? With a speed at the start under constant
@@ -62,11 +76,11 @@ impl Scene {
 
     /// [`Scene::freedoms`] for these numbers: another count where data are equal by chance.
     pub fn freedoms_with(&self, number: &dyn Fn(Num) -> f64) -> usize {
-        self.left(number, None)
+        self.left(number, None, &[])
     }
 
-    /// Those that are left where the contact of one tie, if any, holds that is said to slip.
-    fn left(&self, number: &dyn Fn(Num) -> f64, held: Option<usize>) -> usize {
+    /// Those that are left where the contact of one tie, if any, holds that is said to slip, and the velocities of these are given.
+    fn left(&self, number: &dyn Fn(Num) -> f64, held: Option<usize>, given: &[Coordinate]) -> usize {
         let coordinates: Vec<Coordinate> = self.coordinates().collect();
         let place =
             |body: usize, degree: Degree| coordinates.iter().position(|c| *c == Coordinate { body, degree });
@@ -98,6 +112,9 @@ impl Scene {
                     row[i] += toward * number(p) * if side == Side::Top { 1.0 } else { -1.0 };
                 }
             }
+        }
+        for place in given.iter().filter_map(|c| place(c.body, c.degree)) {
+            ties.row()[place] = 1.0;
         }
         coordinates.len() - ties.reduce(&[]).rank()
     }

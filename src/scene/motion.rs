@@ -1,5 +1,5 @@
 //! How a motion starts and what ends it.
-use crate::scene::{Num, Quantity, Scene, Slope, Tie};
+use crate::scene::{Label, Num, Owner, Quantity, Scene, Slope, Tie};
 
 /// One coordinate of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -8,6 +8,14 @@ pub struct Coordinate {
     pub body: usize,
     /// Along its line, or turning.
     pub degree: Degree,
+}
+
+impl Coordinate {
+    /// What is said of its speed.
+    pub const fn speed(self) -> Label {
+        let quantity = if matches!(self.degree, Degree::Along) { Quantity::V } else { Quantity::Omega };
+        Label { quantity, of: Owner::Body(self.body) }
+    }
 }
 
 /// Kind of a coordinate.

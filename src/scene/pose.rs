@@ -672,7 +672,7 @@ impl<'a, T: Real> Layout<'a, T> {
     pub fn overruns(&self, relaxed: &[[T; 2]], sense: f64, far: (T, T)) -> Option<T> {
         let poses = |way: T| self.poses::<T>(way.signed(sense), false);
         let changes = |value: &dyn Fn(T) -> Option<T>| {
-            root::changes(far, &|way| value(way).ok_or(())).unwrap_or_default()
+            root::changes(far, &[], &|way| value(way).ok_or(())).unwrap_or_default()
         };
         let twisted = self.scene.struts.iter().zip(relaxed).filter(|(strut, _)| strut.twists());
         let wound = twisted.filter_map(|(strut, [x, y])| {

@@ -421,11 +421,14 @@ fn form(
         }
     };
     let mut add = |more: &str| text.extend([", ", more]);
-    if let Some([positive, negative]) = sense_words(words, scene, q.label) {
+    // That of a single body on a pin counts from the horizontal, up or down.
+    let angle = q.label.quantity == Quantity::PinAngle && scene.pinned().is_none();
+    if let Some([positive, negative]) = sense_words(words, scene, q.label).filter(|_| !angle) {
         add(&words.say("sheet.signed", &[("forward", positive), ("back", negative)]));
     }
     let both_ways = match q.label.quantity {
         Quantity::XEq if !scene.is_magnitude(q.label) => Some("sheet.stretched"),
+        Quantity::PinAngle if angle => Some("sheet.from_the_right"),
         Quantity::PinRadial => Some("sheet.toward_pin"),
         Quantity::PinTangential => Some("sheet.with_angle"),
         _ => scene.may_push(q.label).then_some("sheet.pulls"),

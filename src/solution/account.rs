@@ -156,11 +156,6 @@ pub const fn rate_of(c: Coordinate) -> Label {
     of_body(if matches!(c.degree, Degree::Along) { Quantity::A } else { Quantity::Alpha }, c.body)
 }
 
-/// The speed of a coordinate.
-pub const fn speed_of(c: Coordinate) -> Label {
-    of_body(if matches!(c.degree, Degree::Along) { Quantity::V } else { Quantity::Omega }, c.body)
-}
-
 /// A label of the whole scene.
 pub const fn of_scene(quantity: Quantity) -> Label {
     Label { quantity, of: Owner::Scene }
@@ -311,7 +306,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// value. What turns back on its way is not drawn.
     fn arrive_grown(&mut self, t: &Expr, a: SymbolId, v: SymbolId) -> Result<(), DerivationStop> {
         let start = self.first_acceleration();
-        let v_label = speed_of(self.lead());
+        let v_label = self.lead().speed();
         self.accelerate();
         let h = self.halves();
         let [first, last] = [start, a].map(Expr::from);
@@ -537,7 +532,7 @@ impl<'d, 'a> Account<'d, 'a> {
         } else if at_start {
             self.v0.by(&self.m.of(c).ratio)
         } else {
-            let v = self.get(speed_of(c))?;
+            let v = self.get(c.speed())?;
             if self.symbols.value(v) == 0.0 { ZERO } else { in_sense(v.into(), self.velocity_sense(c)) }
         };
         let Some((carrier, [forward, _])) = self.carried(c) else { return Ok(own) };
@@ -561,7 +556,7 @@ impl<'d, 'a> Account<'d, 'a> {
             }
             // The speed at the end has in it what carries the body out of its line.
             let whole = c.degree == Degree::Along && !at_start;
-            let rate = if whole { self.asked(speed_of(c))?.into() } else { self.seen_velocity(c, at_start)? };
+            let rate = if whole { self.asked(c.speed())?.into() } else { self.seen_velocity(c, at_start)? };
             let mut squares = square(rate);
             if !whole && let Some((carrier, [_, out])) = self.carried(c) {
                 let [speed, _] = carrier.after(&self.since_start(at_start)?);
@@ -705,7 +700,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// The velocities of an instant, from those of the start and from what the ties demand: the start may say more than is needed.
     fn velocities_together(&mut self) -> Result<(), DerivationStop> {
-        let moving = self.scene.coordinates().filter_map(|c| Some((speed_of(c), self.m.of(c).v?)));
+        let moving = self.scene.coordinates().filter_map(|c| Some((c.speed(), self.m.of(c).v?)));
         let (labels, unknowns): (Vec<Label>, Vec<SymbolId>) = moving.unzip();
         let mut all = self.tied(|freedom| freedom.v);
         for (c, given) in self.scene.start_speeds() {
@@ -848,7 +843,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let (Some(a), Some(v)) = (self.m.of(lead).a, self.m.of(lead).v) else {
             return unfound();
         };
-        let v_label = speed_of(self.lead());
+        let v_label = self.lead().speed();
         if self.spring.is_some() && self.scene.end != End::AtOnce {
             // Where ties give no velocity ratios the swing is not known from the lead alone.
             if !self.m.one {
@@ -1011,7 +1006,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     fn arrive_on_spring(&mut self, a: SymbolId, v: SymbolId) -> Result<(), DerivationStop> {
         let Some(spring) = self.spring.clone() else { return unfound() };
-        let v_label = speed_of(self.lead());
+        let v_label = self.lead().speed();
         let grows = self.stretching(&spring);
         // The stretch at the end, and the displacement up to there.
         let mut last = None;
@@ -1414,7 +1409,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// The velocity of a coordinate, with its sign.
     fn velocity(&mut self, c: Coordinate) -> Result<Expr, DerivationStop> {
-        Ok(in_sense(self.get(speed_of(c))?.into(), self.velocity_sense(c)))
+        Ok(in_sense(self.get(c.speed())?.into(), self.velocity_sense(c)))
     }
 
     /// Sense in which a coordinate moves; nothing turns back.
@@ -1701,7 +1696,7 @@ impl<'d, 'a> Account<'d, 'a> {
             if inertia.is_empty() || (self.m.of(c).ratio.is_zero() && !self.own(c)) {
                 continue;
             }
-            let v = self.get(speed_of(c))?;
+            let v = self.get(c.speed())?;
             all.push(half_squares(&inertia, v));
         }
         Ok(sum(all))
@@ -1713,7 +1708,7 @@ impl<'d, 'a> Account<'d, 'a> {
         for c in (0..self.m.parts.len()).map(turn) {
             let inertia = self.m.of(c).inertia.clone();
             if slips && !inertia.is_empty() {
-                turning.push(half_squares(&inertia, self.get(speed_of(c))?));
+                turning.push(half_squares(&inertia, self.get(c.speed())?));
             } else {
                 turning.extend(self.reckoned(c).map(|i| i.expr()));
             }

@@ -167,6 +167,13 @@ fn hand_over(draft: &mut Draft, next: &Scene) -> Result<(), DerivationStop> {
     };
     // Bodies on lines and on fixed axles; the way of one has the sense of its motion.
     let way = draft.key(of_body(quantity, first.body)).ok_or(Beyond::Next)?;
+    // Of a motion in phases that way has the sense of the speed at the end only if it has not turned about; and of several speeds each
+    // has its own.
+    let path = draft.key(of_body(Quantity::Distance, first.body));
+    let turned = path.is_some_and(|path| path > way.abs() * (1.0 + 1e-9));
+    if draft.scene.goes_in_phases() && (turned || next.start.len() > 1) {
+        return Err(Beyond::Next.into());
+    }
     let given = draft.values.len();
     let mut taken: Vec<Expr> = Vec::new();
     for Taken { label, directed } in &next.formulas.taken {

@@ -6,7 +6,7 @@ use crate::scene::{
     Quantity, RotaryInertia, Slope, Span, SpringTie, Start, Thrown, Tie,
 };
 use crate::solution::account::{
-    Account, CordSpring, OMEGA_SWING, TIME_SLACK, half_squares, of_body, of_scene, of_tie, speed_of, stored,
+    Account, CordSpring, OMEGA_SWING, TIME_SLACK, half_squares, of_body, of_scene, of_tie, stored,
 };
 use crate::solution::draft::{Detail, Draft, is_rate, tex_of};
 use crate::solution::expr::{
@@ -835,7 +835,7 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         // The stretch at the end comes before the balance.
         let spring = self.spring.clone();
-        let v = speed_of(self.lead());
+        let v = self.lead().speed();
         let v = self.get(v).ok();
         let at = self.steps.iter().position(|s| Some(s.symbol) == v);
         if spring.is_some() {
@@ -1188,7 +1188,7 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         self.begin_as("short", "instant");
         for c in self.coordinates() {
-            let _ = self.get(speed_of(c));
+            let _ = self.get(c.speed());
         }
         let speeds = self.speeds();
         self.say("instant.speeds", &[]);
@@ -1599,7 +1599,7 @@ impl<'d, 'a> Account<'d, 'a> {
         if self.short == Short::Rates {
             return Ok(());
         }
-        let v = speed_of(self.lead());
+        let v = self.lead().speed();
         let v = self.get(v)?;
         if self.placed() {
             // v^2 = 2 a d, with the acceleration as it was found.

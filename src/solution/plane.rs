@@ -1383,7 +1383,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             let v = pose.point(pose::of_spot(self.scene, &numbers, push.at)).map(|x| x.first);
             Ok((x * c - y * s) * v[0] + (y * c + x * s) * v[1])
         };
-        self.scene.value(push.force_n, data) * gauss::integral(power, 0.0, way).unwrap_or(f64::NAN)
+        self.scene.value(push.force_n, data)
+            * gauss::short().integral(power, (0.0, way), 0.0).unwrap_or(f64::NAN)
     }
 
     /// A force that is directed to a place at all times: its work is that over the length by which it comes nearer.

@@ -48,6 +48,11 @@ pub fn solve(scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
     half.confirm(scene, data)
 }
 
+/// The same without condition numbers, save where only one tells whether the roads agree. Errors: those of [`solve`].
+pub fn answers(scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
+    first(scene, data, Scope::ALL)?.confirm(scene, data)
+}
+
 /// What the first road alone says of what is asked, so that a draw that breaks a rule is refused at a part of the cost. Errors:
 /// as for [`solve`], save that nothing is compared yet.
 pub fn first(scene: &Scene, data: &[f64], asked: Scope) -> Result<Half, Refusal> {
@@ -165,9 +170,7 @@ fn is_narrow(scene: &Scene, data: &[f64], solved: &Solved) -> bool {
 
 /// What the roads agree on in the units of the data, if they do.
 fn agreed(scene: &Scene, data: &[f64]) -> Option<Solved> {
-    let mut half = alone::<Dd>(scene, data, Scope::ALL).ok()?;
-    half.weigh::<Dd>(scene, data, |_| true);
-    half.confirm(scene, data).ok()
+    alone::<Dd>(scene, data, Scope::ALL).and_then(|half| half.confirm(scene, data)).ok()
 }
 
 /// Solves with the scene and its data in these units. Errors: data that leave the doubles there.
@@ -453,16 +456,16 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
         }
         let joined = scene.bodies.iter().all(|b| b.planar.is_some()) && scene.ties.is_empty();
         let along = matches!(scene.end, End::Travel(..) | End::Position(..));
-        return if joined && !along { Ok(()) } else { refuse(Unsupported::JoinedInCompany) };
-    }
-    if matches!(scene.end, End::Angle(..)) {
-        return refuse(Unsupported::JoinedInCompany);
+        return if joined && !along { Ok(()) } else { refuse(Unsupported::Unread) };
     }
     if matches!(scene.end, End::AtOnce) && !scene.tells_rates() {
         return Ok(());
     }
-    if lamina || scene.start.iter().any(|s| matches!(s, Start::Lamina { .. })) {
-        return refuse(Unsupported::MovingLamina);
+    if matches!(scene.end, End::Angle(..))
+        || lamina
+        || scene.start.iter().any(|s| matches!(s, Start::Lamina { .. }))
+    {
+        return refuse(Unsupported::Unread);
     }
     let freedoms = scene.freedoms();
     let number = |n: Num| scene.value(n, data);
@@ -476,14 +479,11 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
         let on = |tie: &Tie| matches!(tie, Tie::Slip { body: b, .. } if body.is_none_or(|own| own == *b));
         scene.ties.iter().any(on)
     };
-    if moves && slips(None) {
-        return refuse(Unsupported::SpringWithSlip);
-    }
-    if moves && freedoms > 1 {
-        return refuse(Unsupported::SpringWithTwoFreedoms);
+    if moves && (slips(None) || freedoms > 1) {
+        return refuse(Unsupported::Unread);
     }
     match scene.end {
-        End::Rolling(c) if scene.start.is_empty() || !slips(Some(c.body)) => refuse(Unsupported::NotThrown),
+        End::Rolling(c) if scene.start.is_empty() || !slips(Some(c.body)) => refuse(Unsupported::Unread),
         _ => Ok(()),
     }
 }

@@ -9,9 +9,9 @@
 use crate::num::dd::pow2;
 use crate::num::eliminate::Equations;
 use crate::num::{NOISE, Real};
-use crate::scene::{Label, Scales, Scene, admissible, scales};
+use crate::scene::{Scales, Scene, admissible, scales};
 use crate::solve::eom;
-use crate::solve::outcome::{Entry, Kind, Road, Scope, Set, Told};
+use crate::solve::outcome::{Entry, Kind, Scope, Set, Told};
 
 /// Relative changes of a datum, as powers of 2; the next one for the answers that are too sensitive for the one before.
 const STEPS: [i32; 4] = [-26, -29, -36, -46];
@@ -28,41 +28,16 @@ const NOTHING: f64 = 1e-6;
 const ROUNDING: f64 = 1e-5;
 
 /// The road where one datum is changed, if there is one.
-struct Changed<R> {
+struct Changed<T: Real> {
     /// By which share of itself the datum is changed.
     by: f64,
     /// Is it a motion of the same kind?
     alike: bool,
-    road: Option<R>,
-}
-
-/// A road that was solved with changed data.
-trait Says<T> {
-    fn kind(&self) -> Kind;
-    /// The value of a label, probably said at this place.
-    fn value(&self, at: usize, label: Label) -> Option<T>;
-}
-
-impl Says<f64> for Told {
-    fn kind(&self) -> Kind {
-        Told::kind(self)
-    }
-    fn value(&self, at: usize, label: Label) -> Option<f64> {
-        Told::value(self, at, label)
-    }
-}
-
-impl<T: Real> Says<T> for Road<T> {
-    fn kind(&self) -> Kind {
-        Road::kind(self)
-    }
-    fn value(&self, at: usize, label: Label) -> Option<T> {
-        self.said_at(at, label).map(|said| said.value)
-    }
+    road: Option<Told<T>>,
 }
 
 /// The roads with several sets of data.
-type Roads<'r, R> = &'r dyn Fn(&[Set], Scope) -> Vec<Option<R>>;
+type Roads<'r, T> = &'r dyn Fn(&[Set], Scope) -> Vec<Option<Told<T>>>;
 
 /// Condition number of each entry, in numbers of this type where the rounding of doubles may tell: 0 if no datum moves it, infinite for a zero that some datum moves, or where no changed data
 /// have a solution.
@@ -70,11 +45,12 @@ pub fn numbers<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entr
     // What is judged in doubles alone, in a page, needs no speed.
     let follow = !T::is_double() && scene.lead().is_some();
     let doubles = |sets: &[Set], asked| eom::roads(scene, sets, asked);
-    let (mut conds, rounded) = quotients::<f64, Told>(scene, data, kind, entries, &doubles, follow);
+    let (mut conds, rounded) = quotients::<f64>(scene, data, kind, entries, &doubles, follow);
     if !T::is_double() && rounded.contains(&true) {
-        let each =
-            |sets: &[Set], asked| sets.iter().map(|data| eom::road_of(scene, data, asked).ok()).collect();
-        let (finer, _) = quotients::<T, Road<T>>(scene, data, kind, entries, &each, follow);
+        let each = |sets: &[Set], asked| {
+            sets.iter().map(|data| eom::road_of(scene, data, asked).ok().map(Told::Alone)).collect()
+        };
+        let (finer, _) = quotients::<T>(scene, data, kind, entries, &each, follow);
         for ((cond, finer), _) in conds.iter_mut().zip(finer).zip(rounded).filter(|(_, rounded)| *rounded) {
             *cond = finer;
         }
@@ -84,12 +60,12 @@ pub fn numbers<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entr
 
 /// Condition numbers by difference quotients in numbers of this type, and for each whether their rounding may tell. If data may
 /// `follow` others, those are not changed, save for what is told so beside a kink: that needs the slope of each datum.
-fn quotients<T: Real, R: Says<T>>(
+fn quotients<T: Real>(
     scene: &Scene,
     data: &[f64],
     kind: Kind,
     entries: &[Entry],
-    roads: Roads<R>,
+    roads: Roads<T>,
     follow: bool,
 ) -> (Vec<f64>, Vec<bool>) {
     let mut found = (vec![None; entries.len()], vec![false; entries.len()]);
@@ -113,17 +89,17 @@ fn quotients<T: Real, R: Says<T>>(
 
 /// Looks for those condition numbers that are missing, with the data that are changed and what follows from their slopes; what that
 /// does not tell stays missing.
-fn search<T: Real, R: Says<T>>(
+fn search<T: Real>(
     (scene, data, kind): (&Scene, &[f64], Kind),
     entries: &[Entry],
-    roads: Roads<R>,
+    roads: Roads<T>,
     (used, followers): (&[usize], &[Vec<f64>]),
     (conds, rounded): &mut (Vec<Option<f64>>, Vec<bool>),
 ) {
     let mut kinked: Vec<usize> = Vec::new();
     let mut kinks: Vec<Option<f64>> = vec![None; entries.len()];
     // Where each datum is changed, after the data as they are if these are wanted.
-    let changed = |by: f64, conds: &[Option<f64>], own: bool| -> Vec<Changed<R>> {
+    let changed = |by: f64, conds: &[Option<f64>], own: bool| -> Vec<Changed<T>> {
         // What was found needs no further road.
         let missing = entries.iter().zip(conds).filter(|(_, cond)| cond.is_none());
         let asked = Scope::only(missing.map(|(e, _)| e.label.quantity));
@@ -134,7 +110,7 @@ fn search<T: Real, R: Says<T>>(
             moved
         };
         let sets: Vec<Set> = moves.clone().map(moved).collect();
-        let change = |((road, set), i): ((Option<R>, &Set), Option<usize>)| {
+        let change = |((road, set), i): ((Option<Told<T>>, &Set), Option<usize>)| {
             let by = i.map_or(0.0, |i| set[i] / data[i] - 1.0);
             Changed { by, alike: road.as_ref().is_some_and(|road| road.kind() == kind), road }
         };
@@ -146,7 +122,7 @@ fn search<T: Real, R: Says<T>>(
         let step = pow2(power);
         let mut up = changed(step, conds, base.is_none());
         let base = base.get_or_insert_with(|| up.remove(0));
-        let mut down: Vec<Changed<R>> = Vec::new();
+        let mut down: Vec<Changed<T>> = Vec::new();
         for (both, fine) in [false, true].into_iter().zip(FINE) {
             if both {
                 down = changed(-step, conds, false);
@@ -156,7 +132,7 @@ fn search<T: Real, R: Says<T>>(
             for (at, (cond, entry)) in
                 conds.iter_mut().zip(entries).enumerate().filter(|(_, (c, _))| c.is_none())
             {
-                let value = |changed: &Changed<R>| changed.road.as_ref()?.value(at, entry.label);
+                let value = |changed: &Changed<T>| changed.road.as_ref()?.value(at, entry.label);
                 let at_data = value(base);
                 slopes.clear();
                 slopes.extend((0..used.len()).map(|i| slope(entry, at_data, (&up[i], down.get(i)), value)));
@@ -258,11 +234,11 @@ struct EntrySlope {
 }
 
 /// Slope of an entry from its values at the data and at changed data; endless where no changed datum gives one.
-fn slope<T: Real, R>(
+fn slope<T: Real>(
     entry: &Entry,
     base: Option<T>,
-    (up, down): (&Changed<R>, Option<&Changed<R>>),
-    value: impl Fn(&Changed<R>) -> Option<T>,
+    (up, down): (&Changed<T>, Option<&Changed<T>>),
+    value: impl Fn(&Changed<T>) -> Option<T>,
 ) -> EntrySlope {
     let y = entry.value();
     let larger = |one: f64, other: f64| if one.abs() < other.abs() { other } else { one };

@@ -423,9 +423,9 @@ fn error(value: f64, reference: Dd) -> f64 {
 
 /// Runs every method that applies, coarse to fine, against the closed form in double-double.
 ///
-/// Errors: those of [`agree::solve`], and [`Refusal::NoMethod`] where nothing moves.
+/// Errors: those of [`agree::answers`], and [`Refusal::NoMethod`] where nothing moves.
 pub fn study(scene: &Scene, data: &[f64], labels: &[Label]) -> Result<Study, Refusal> {
-    let solved = agree::solve(scene, data)?;
+    let solved = agree::answers(scene, data)?;
     let force = force(scene);
     if matches!(force, Force::Instant | Force::OfTime) {
         return Err(Refusal::NoMethod { method: Method::Dop853 });

@@ -574,24 +574,16 @@ impl From<Unsettled> for Refusal {
 /// Combinations that are not solved (yet).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unsupported {
-    /// A spring where the scene has two freedoms, on the way.
-    SpringWithTwoFreedoms,
-    /// A start speed of what the ties hold at rest.
-    StartHeld,
-    /// A spring where something slips, on the way.
-    SpringWithSlip,
+    /// What a bank is not read with: on the way, a spring where something slips or several coordinates are free; the start of rolling of
+    /// what is not thrown with slip; more of a body of particles than an instant; joined bodies beside others, with ties, or with an end
+    /// that belongs to a line.
+    Unread,
     /// A contact is said to slip, and the ties share the friction that it would need to roll.
     SlipShared,
     /// Ties that hold more or less than they would if two data were not equal.
     EqualByChance,
     /// Bodies that slide and could stay, one on account of what another does.
     SlidesInTurn,
-    /// The start of rolling of a body that does not start with a speed and slips.
-    NotThrown,
-    /// Nothing but the kinetic energy of a lamina can be asked.
-    MovingLamina,
-    /// Bodies in the plane beside others, with ties, or with an end that belongs to a line; an angle of what has none.
-    JoinedInCompany,
     /// Friction in a guide fits no side of it or both, or turns about on the way.
     FrictionTurns,
     /// A torsion spring that is wound by half a turn or more, or a load that comes to its pulley.
@@ -854,9 +846,14 @@ impl<T: Real> Road<T> {
         other: Other<T>,
     ) -> Result<Option<Self>, Refusal> {
         let sense = self.course.as_ref().map_or(0.0, |c| c.sense);
+        // Bodies on lines and axles have each a sense of their own.
+        let directed = |label: Label| {
+            let own = self.velocities.iter().find(|(c, _)| c.speed() == label);
+            own.map_or(sense, |(_, velocity)| velocity.sign())
+        };
         let value = |t: &Taken| {
             let said = self.get(t.label)?.value;
-            said.is_finite().then(|| if t.directed { said.signed(sense) } else { said })
+            said.is_finite().then(|| if t.directed { said.signed(directed(t.label)) } else { said })
         };
         let taken: Option<Vec<T>> = next.formulas.taken.iter().map(value).collect();
         let Some(taken) = taken.filter(|_| self.course.as_ref().is_none_or(|c| c.reached)) else {
@@ -913,23 +910,23 @@ impl<T: Real> Road<T> {
     }
 }
 
-/// What a road in doubles says with one of several sets of data: by itself, or in one lane of a road for several.
+/// What a road says with one of several sets of data: by itself, or in doubles in one lane of a road for several.
 #[derive(Debug, Clone)]
-pub enum Told {
+pub enum Told<T: Real = Fast> {
     /// By itself.
-    Alone(Road<Fast>),
+    Alone(Road<T>),
     /// In this lane.
     #[cfg(feature = "program")]
     Lane(Rc<Road<Lanes>>, usize),
 }
 
-impl Told {
+impl<T: Real> Told<T> {
     /// The value of a label, probably said at this place.
-    pub fn value(&self, at: usize, label: Label) -> Option<f64> {
+    pub fn value(&self, at: usize, label: Label) -> Option<T> {
         match self {
             Self::Alone(road) => road.said_at(at, label).map(|said| said.value),
             #[cfg(feature = "program")]
-            Self::Lane(road, lane) => road.said_at(at, label).map(|said| said.value.lane(*lane)),
+            Self::Lane(road, lane) => road.said_at(at, label).map(|said| T::of(said.value.lane(*lane))),
         }
     }
     /// Which kind of motion it is.

@@ -260,7 +260,10 @@ fn check<P: Real>(scene: &Scene, held: &Held<P>, checks: &mut Vec<Check>) {
 /// The contact that could roll, and whether it does.
 fn rolling<P: Real>(scene: &Scene, held: &Held<P>) -> Option<(usize, bool)> {
     match held {
-        Held::Thrown(throw) => throw.known.then_some((throw.tie, throw.holds)),
+        // Does it come to roll, and not only: could it?
+        Held::Thrown(throw) => {
+            (throw.known && (throw.closes || !throw.slips)).then_some((throw.tie, throw.holds))
+        }
         Held::Rolling(tie, most, Some(available)) if !slides(scene, *tie) => {
             Some((*tie, within(*most, *available)))
         }

@@ -48,12 +48,6 @@ fn judge(s: composed::Scene) -> Result<Outcome, String> {
                 _ => Err("the equations are said not to determine it".into()),
             };
         }
-        Err(Refusal::Unsupported(Unsupported::StartHeld)) => {
-            return match verdict {
-                Verdict::Contradiction => Ok(Outcome::Refused("start of what is held".into())),
-                _ => Err("its start is said to contradict the ties".into()),
-            };
-        }
         Err(Refusal::Contradiction { .. }) => {
             return match verdict {
                 Verdict::Contradiction => Ok(Outcome::Refused("start against the ties".into())),

@@ -452,3 +452,122 @@ fn another_spring_keeps_its_own_stretch() {
     let told = load::scenes_only(&text("left", "back", "-0.2 m"), "bank.yaml").expect_err("no use of x");
     assert!(told.len() == 1 && told[0].to_string().contains("`x` is drawn"), "{told:?}");
 }
+
+/// What still slips goes on with its speed and its spin, each in a sense of its own: a ball with backspin, cut in two where it still goes
+/// forward and where it turns, goes back and rolls.
+#[test]
+fn what_slips_goes_on_slipping() {
+    let text = |end: &str| {
+        format!(
+            "bank: b
+title: B
+problems:
+  p:
+    title: P
+    data:
+      v0: {{name: speed, unit: m/s, draw: 2.00 to 2.50 step 0.01}}
+      w0: {{name: spin, unit: rad/s, draw: 70 to 80 step 1}}
+    scene:
+      surfaces: {{lane: level}}
+      bodies: {{ball: {{mass: 3 kg, shape: {{sphere: 0.1 m}}, moves: along lane}}}}
+      ties: [slips: {{body: ball, on its: rim, mu_s: 0.3, mu_k: 0.2}}]
+      start: {{ball: {{speed: v0, spin: -w0}}}}
+      end: {end}
+      next: {{end: {{rolling: ball}}}}
+    questions:
+      back: {{quantity: v, motion: next, unit: m/s, cond limit: 100, ask: a}}
+      late: {{quantity: t, motion: next, unit: s, ask: a}}
+      x: {{value: displacement + next.displacement, unit: m, cond limit: 100, ask: a}}
+      slips: {{value: slip_distance + next.slip_distance, unit: m, ask: a}}
+    statement: s
+"
+        )
+    };
+    for (end, turns) in [("{time: {of: ball, is: 0.3 s}}", false), ("{turning point: ball}", true)] {
+        let problem = problem(&text(end));
+        for s in 0..seeds(200) {
+            let variant = drawn(&problem, s);
+            let [v0, w0, _] = variant.data[..] else { panic!("three data") };
+            let rolls = (v0 + 0.1 * w0) / (0.7 * G);
+            let first = if turns { v0 / (0.2 * G) } else { 0.3 };
+            let found = answers(&problem, &variant);
+            near(found[0], (0.2 * w0 - 5.0 * v0) / 7.0, "speed");
+            near(found[1], rolls - first, "time");
+            near(found[2], v0 * rolls - 0.1 * G * rolls * rolls, "way");
+            near(found[3], (v0 + 0.1 * w0) * rolls / 2.0, "slip");
+        }
+    }
+}
+
+/// Two crates that slide each by itself go on so, up to where both stay.
+#[test]
+fn several_bodies_go_on_each_with_its_speed() {
+    let text = "bank: b
+title: B
+problems:
+  p:
+    title: P
+    data:
+      v0: {name: speed, unit: m/s, draw: 1.00 to 1.50 step 0.01}
+      u0: {name: speed, unit: m/s, draw: 0.90 to 1.00 step 0.01}
+    scene:
+      surfaces: {ramp: {slope: 20 deg}}
+      bodies: {one: {mass: 2 kg, moves: along ramp}, other: {mass: 3 kg, moves: along ramp}}
+      ties:
+        - slides: {body: one, mu_s: 0.5, mu_k: 0.2}
+        - slides: {body: other, mu_s: 0.5, mu_k: 0.4}
+      start: {one: {speed: v0}, other: {speed: u0}}
+      end: {time: {of: one, is: 0.1 s}}
+      next: {end: {stops slipping: one}}
+    questions:
+      late: {quantity: t, motion: next, unit: s, ask: a}
+      x: {quantity: one.displacement, motion: next, unit: m, cond limit: 100, ask: a}
+      y: {quantity: other.displacement, motion: next, unit: m, cond limit: 100, ask: a}
+    statement: s
+";
+    let problem = problem(text);
+    let (sin, cos) = 20f64.to_radians().sin_cos();
+    let [a, b] = [0.2, 0.4].map(|mu| G * (sin + mu * cos));
+    for s in 0..seeds(200) {
+        let variant = drawn(&problem, s);
+        let [v0, u0, _] = variant.data[..] else { panic!("three data") };
+        let found = answers(&problem, &variant);
+        near(found[0], v0 / a - 0.1, "time");
+        near(found[1], (v0 - 0.1 * a) * (v0 - 0.1 * a) / (2.0 * a), "way");
+        near(found[2], (u0 - 0.1 * b) * (u0 - 0.1 * b) / (2.0 * b), "way of the other");
+    }
+}
+
+/// The cord between a crate and a load is cut: both go on as fast as they are, the crate up to where it stays.
+#[test]
+fn a_cord_is_cut_and_both_bodies_go_on() {
+    let text = "bank: b
+title: B
+problems:
+  p:
+    title: P
+    data:
+      d: {name: way, unit: m, draw: 1.0 to 4.0 step 0.1}
+    scene:
+      surfaces: {floor: level}
+      bodies: {crate: {mass: 3 kg, moves: along floor}, load: {mass: 2 kg, moves: vertically, positive: down}}
+      ties:
+        - slides: {body: crate, mu_k: 0.2}
+        - cord: {from: {body: crate, tied at: centre, leaves: forward}, to: {body: load, tied at: centre, leaves: up}}
+      start: {load: {speed: 2 m/s}}
+      end: {travel: {of: load, by: d}}
+      next: {ties: [slides: {body: crate, mu_k: 0.2}], end: {turning point: crate}}
+    questions:
+      way: {quantity: crate.displacement, motion: next, unit: m, ask: a}
+      falls: {quantity: load.v, motion: next, unit: m/s, ask: a}
+    statement: s
+";
+    let problem = problem(text);
+    for s in 0..seeds(200) {
+        let variant = drawn(&problem, s);
+        let square = 4.0 + 2.0 * (2.0 - 0.6) / 5.0 * G * variant.data[0];
+        let found = answers(&problem, &variant);
+        near(found[0], square / (0.4 * G), "crate");
+        near(found[1], square.sqrt() * (1.0 + 1.0 / 0.2), "load");
+    }
+}

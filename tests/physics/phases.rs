@@ -3,7 +3,7 @@
 use slipstick::bank::{labels, load};
 use slipstick::scene::{Quantity, Scene};
 use slipstick::solve::agree::{prove, solve};
-use slipstick::solve::outcome::Solved;
+use slipstick::solve::outcome::{Refusal, Solved, Unsupported};
 
 const G: f64 = 9.81;
 
@@ -16,7 +16,13 @@ fn told(scene: &str, names: &[&str]) -> (Vec<f64>, Solved) {
 }
 
 /// The scene, and what is found of it.
-fn solved(scene: &str) -> (Scene, Solved) {
+fn solved(text: &str) -> (Scene, Solved) {
+    let (scene, solved) = attempted(text);
+    (scene, solved.unwrap_or_else(|e| panic!("{e:?}\n{text}")))
+}
+
+/// The scene, and what is found of it or why nothing is.
+fn attempted(scene: &str) -> (Scene, Result<Solved, Refusal>) {
     let indented: String = scene.lines().map(|l| format!("      {l}\n")).collect();
     let text = format!(
         "bank: phases\ntitle: Phases\nproblems:\n  phases:\n    title: Phases\n    data:\n      m: {{name: mass, unit: kg, draw: always 2}}\n    \
@@ -24,7 +30,7 @@ fn solved(scene: &str) -> (Scene, Solved) {
     );
     let bank = load::scenes_only(&text, "phases.yaml").unwrap_or_else(|f| panic!("{f:#?}\n{text}"));
     let scene = bank.problems[0].cases[0].scene.clone();
-    let solved = solve(&scene, &DATA).unwrap_or_else(|e| panic!("{e:?}\n{text}"));
+    let solved = solve(&scene, &DATA);
     (scene, solved)
 }
 
@@ -601,4 +607,152 @@ end: {time: {of: ball, is: 1 s}}",
     let pressed = found.checks.iter().find(|c| c.kind.name() == "pressed").expect("it lies on a surface");
     let normal = 2.0 * G - 30.0 * 0.75_f64.sqrt();
     assert!(!pressed.ok && (pressed.available - normal).abs() < 1e-12, "{pressed:?}");
+}
+
+/// A hoop comes to roll just as a block beside it, on a smooth ramp, comes to rest: the hoop is held and rolls on, the block slides back.
+#[test]
+fn of_two_contacts_that_come_to_rest_each_is_held_or_not() {
+    let scene = |end: &str| {
+        format!(
+            "surfaces: {{lane: level, ramp: {{slope: 30 deg}}}}
+bodies:
+  hoop: {{mass: m, shape: {{hoop: 1 m}}, moves: along lane}}
+  block: {{mass: 1 kg, moves: along ramp}}
+ties:
+  - slips: {{body: hoop, on its: rim, mu_s: 0.3, mu_k: 0.25}}
+  - slides: {{body: block, mu_s: 0, mu_k: 0}}
+start: {{hoop: {{speed: 1 m/s, spin: 0 rad/s}}, block: {{speed: 1 m/s}}}}
+end: {end}"
+        )
+    };
+    let names = ["t", "hoop.v", "omega", "slip_distance", "block.v", "block.displacement", "block.distance"];
+    let (stops, up) = (2.0 / G, 1.0 / G);
+    let at = |t: f64| {
+        let back = G / 4.0 * (t - stops) * (t - stops);
+        [t, 0.5, 0.5, 1.0 / G, G / 2.0 * (t - stops), up - back, up + back]
+    };
+    let (found, solved) = told_by(&scene("{rolling: hoop}"), &names, false);
+    compare(&names[..4], &found[..4], &at(stops)[..4]);
+    assert_eq!(solved.regime.word(), "rolls_after");
+    compare(&names, &told_by(&scene("{time: {of: hoop, is: 1 s}}"), &names, false).0, &at(1.0));
+}
+
+/// Bodies that have nothing to do with one another: one slides, of those at rest one begins to slide down its ramp, one stays.
+#[test]
+fn what_cannot_be_held_at_the_start_sets_off_whatever_else_is_at_rest() {
+    let scene = "surfaces: {lane: level, ramp: {slope: 30 deg}}
+bodies:
+  thrown: {mass: m, moves: along lane}
+  sliding: {mass: 1 kg, moves: along ramp}
+  resting: {mass: 1 kg, moves: along lane}
+ties:
+  - slides: {body: thrown, mu_k: 0.1}
+  - slides: {body: sliding, mu_s: 0.2, mu_k: 0.1}
+  - slides: {body: resting, mu_s: 0.2, mu_k: 0.1}
+start: {thrown: {speed: 1 m/s}, sliding: {speed: 0 m/s}, resting: {speed: 0 m/s}}
+end: {time: {of: thrown, is: 0.1 s}}";
+    let names = ["thrown.v", "sliding.v", "sliding.displacement", "resting.v", "heat"];
+    let (down, rubs) = (G * (0.5 - 0.1 * 0.75_f64.sqrt()), 0.1 * G);
+    let way = down * 0.005;
+    let heat = 2.0 * rubs * (0.1 - rubs * 0.005) + rubs * 0.75_f64.sqrt() * way;
+    let (found, _) = told_by(scene, &names, false);
+    compare(&names, &found, &[1.0 - rubs * 0.1, down * 0.1, -way, 0.0, heat]);
+    // Two discs that start rolling on a steep ramp both slip at once: that is told of each.
+    let (scene, found) = solved(
+        "surfaces: {ramp: {slope: 30 deg}}
+bodies:
+  one: {mass: m, shape: {disc: 1 m}, moves: along ramp}
+  other: {mass: 1 kg, shape: {disc: 1 m}, moves: along ramp}
+ties:
+  - slips: {body: one, on its: rim, mu_s: 0.1, mu_k: 0.1}
+  - slips: {body: other, on its: rim, mu_s: 0.1, mu_k: 0.1}
+start: {one: {speed: 1 m/s, spin: 1 rad/s}, other: {speed: 1 m/s, spin: 1 rad/s}}
+end: {time: {of: one, is: 0.1 s}}",
+    );
+    assert_eq!(found.regime.word(), "slips_through");
+    for (body, m) in [("one", 2.0), ("other", 1.0)] {
+        let value = |name: &str| {
+            let label = labels::named(&scene, &format!("{body}.{name}")).expect(name);
+            found.get(label).expect(name).value()
+        };
+        let names = ["v", "alpha", "friction_if_rolled"];
+        let expected = [1.0 - down * 0.1, -2.0 * rubs * 0.75_f64.sqrt(), m * G / 6.0];
+        compare(&names, &names.map(value), &expected);
+    }
+}
+
+/// A drum hangs in a cord between two blocks: both slide, or both stay, or whether one does hangs on the other.
+#[test]
+fn two_blocks_with_a_drum_between_slide_each_by_itself_or_are_refused() {
+    let scene = |mu_s: f64, mu_k: f64| {
+        format!(
+            "surfaces: {{table: level}}
+bodies:
+  left: {{mass: m, moves: along table}}
+  right: {{mass: 2 kg, moves: along table}}
+  drum: {{mass: m, shape: {{disc: 0.2 m}}, moves: vertically, positive: down}}
+ties:
+  - slides: {{body: left, mu_s: {mu_s}, mu_k: {mu_k}}}
+  - slides: {{body: right, mu_s: {mu_s}, mu_k: {mu_k}}}
+  - cord: {{from: {{body: left, tied at: centre, leaves: forward}}, to: {{body: drum, wound on: rim, leaves: back up}}}}
+  - cord: {{from: {{body: right, tied at: centre, leaves: back}}, to: {{body: drum, wound on: rim, leaves: front up}}}}
+start: {{left: {{speed: 0 m/s}}, right: {{speed: 0 m/s}}}}
+end: {{time: {{of: drum, is: 0.5 s}}}}"
+        )
+    };
+    let names = ["drum.v", "left.v", "right.v", "omega"];
+    // Each cord bears half of the drum, which with one block alone would still be too much for the other.
+    let v = (2.0 - 0.4) * G / 6.0 * 0.5;
+    compare(&names, &told_by(&scene(0.45, 0.1), &names, false).0, &[v, v, v, 0.0]);
+    let (_, found) = solved(&scene(0.55, 0.1));
+    assert_eq!(found.regime.word(), "balanced");
+    let held = found.checks.iter().filter(|c| c.kind.name() == "no_slip" && (c.required - G).abs() < 1e-12);
+    assert_eq!(held.count(), 2);
+    // Here the cord of the other would be held as soon as one block goes.
+    let (_, refused) = attempted(&scene(0.46, 0.02));
+    assert!(matches!(refused, Err(Refusal::Unsupported(Unsupported::SlidesInTurn))), "{refused:?}");
+}
+
+/// A disc spins in place, held by a block on a link; once its spin is gone the block is drawn along and the disc rolls:
+/// `(m + m + J/r^2) a = 2 m g sin - mu_k m g cos`.
+#[test]
+fn what_is_held_while_a_disc_spins_is_drawn_along_later() {
+    let scene = |end: &str| {
+        format!(
+            "surfaces: {{hill: {{slope: 15 deg}}}}
+bodies:
+  wheel: {{mass: 2 kg, shape: {{disc: 0.2 m}}, radii: {{rim: 0.2 m}}, moves: along hill}}
+  block: {{mass: m, moves: along hill}}
+ties:
+  - slips: {{body: wheel, on its: rim, mu_s: 0.5, mu_k: 0.3}}
+  - slides: {{body: block, mu_s: 0.3, mu_k: 0.25}}
+  - link: {{from: {{body: wheel, tied at: centre, leaves: back}}, to: {{body: block, tied at: centre, leaves: forward}}}}
+start: {{wheel: {{speed: 0 m/s, spin: 20 rad/s}}}}
+end: {end}"
+        )
+    };
+    let (sin, cos) = 15.0_f64.to_radians().sin_cos();
+    let a = -(4.0 * G * sin - 0.5 * G * cos) / 5.0;
+    let names = ["wheel.a_rolling", "wheel.friction_if_rolled", "wheel.mu_required"];
+    let rolling = [a, -a, -a / (2.0 * G * cos)];
+    compare(&names, &told(&scene("{turn: {of: wheel, by: 3 rad}}"), &names).0, &rolling);
+    let (found, _) = told(&scene("{time: {of: wheel, is: 1.5 s}}"), &[names[0], "block.v", "block.a"]);
+    let spins = 20.0 * 0.2 / (2.0 * 0.3 * G * cos);
+    compare(&["a", "v", "a"], &found, &[a, -a * (1.5 - spins), a]);
+}
+
+/// Friction drives a disc on a steep slope on less than its weight does: it never comes to roll, and nothing is told of how it will.
+#[test]
+fn of_what_never_rolls_no_rolling_is_told() {
+    let scene = "surfaces: {hill: {slope: 40 deg}}
+bodies: {wheel: {mass: m, shape: {disc: 0.2 m}, radii: {rim: 0.2 m}, moves: along hill, positive: down}}
+ties: [slips: {body: wheel, on its: rim, mu_s: 0.4, mu_k: 0.1}]
+start: {wheel: {speed: 2 m/s, spin: 0 rad/s}}
+end: {time: {of: wheel, is: 1 s}}";
+    let (scene, solved) = solved(scene);
+    assert_eq!(solved.regime.word(), "never");
+    for name in ["a_rolling", "rolls"] {
+        let label = labels::named(&scene, name).unwrap();
+        assert!(solved.get(label).is_none() && solved.word(label).is_none(), "{name}");
+    }
 }

@@ -3,9 +3,9 @@
 //! Earlier tests could not see it: in every scene of the banks and in every published case something moves, each reaction is
 //! determined, and each tie says something of its own. `composed_scenes.rs` finds the kinds; these say what is wanted of each.
 use slipstick::bank::load;
-use slipstick::scene::Scene;
+use slipstick::scene::{Coordinate, Degree, Scene};
 use slipstick::solve::agree::{prove, solve};
-use slipstick::solve::outcome::{Refusal, Solved, Unsupported};
+use slipstick::solve::outcome::{Refusal, Solved};
 
 /// A scene of constants, as in a bank.
 fn scene(text: &str) -> Scene {
@@ -124,7 +124,9 @@ fn a_cord_from_the_point_of_contact_leaves_its_body_at_rest() {
       start: {block: {speed: 1 m/s}}
       end: {time: {of: wheel, is: 1 s}}",
     );
-    assert_eq!(solve(&started, &[9.81]).unwrap_err(), Refusal::Unsupported(Unsupported::StartHeld));
+    let of = Coordinate { body: 1, degree: Degree::Along };
+    let held = Refusal::Contradiction { of, given: 1.0, follows: 0.0 };
+    assert_eq!(solve(&started, &[9.81]).unwrap_err(), held);
 }
 
 /// One block that stayed held all others, and its answers were 0 for what slides beside it.

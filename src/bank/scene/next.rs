@@ -171,11 +171,20 @@ fn take_over(first: &Scene, next: &mut Scene, data: usize) {
     let at = next.end;
     let mut hand = Handover { data, next };
     hand.next.start.clear();
-    if !matches!(first.end, End::TurningPoint(_)) {
-        let quantity = if ends.degree == Degree::Along { Quantity::V } else { Quantity::Omega };
-        let rate = hand.take(Label { quantity, of }, true);
-        let rate = hand.number(vec![rate], false, "its speed");
-        hand.next.start.push(Start::Speed(ends, rate));
+    // Each freedom has its own speed; a motion that ends at its turning point and has no other starts from rest.
+    let free = if lead.is_some() { vec![ends] } else { hand.next.free(ends) };
+    for c in free.iter().copied() {
+        let turns = c == ends && matches!(first.end, End::TurningPoint(_));
+        if turns && free.len() == 1 {
+            break;
+        }
+        let rate = if turns {
+            Num::Fixed(0.0)
+        } else {
+            let rate = hand.take(c.speed(), true);
+            hand.number(vec![rate], false, "its speed")
+        };
+        hand.next.start.push(Start::Speed(c, rate));
     }
     if let Some(body) = lead {
         let turned = hand.take(Label { quantity: Quantity::Phi, of }, true);

@@ -245,7 +245,7 @@ impl<T: Real> Account<'_, T> {
             T::leading(|| if stiff.sign() > 0.0 { step.clamp(STEP * 1e-12, STEP) } else { STEP })
         });
         let drive = (free.force.signed(self.sense), rubbed.force.signed(self.sense));
-        self.meets = ball::unwatched(|| self.springs_met());
+        self.meets = ball::unwatched(|| self.springs_met(false));
         if matches!(scene.end, End::Angle(..)) {
             self.settle(spin, drive, (asked, &mut road))?;
         } else {
@@ -320,15 +320,26 @@ impl<'a, T: Real> Account<'a, T> {
     fn placed(&self) -> Result<Poses<T>, Refusal> {
         self.layout.poses(T::zero(), true).ok_or(Refusal::Freedoms(2))
     }
-    /// Ways after which springs that only push or pull are met or let go of, one after the other.
-    fn springs_met(&self) -> SmallVec<[T; 4]> {
-        let horizon = T::constant(Dd::PI * Dd::new(2.0 * TURNS));
-        let one_sided = |s: &usize| self.scene.struts[*s].acts != Acts::Both;
-        let all = (0..self.scene.struts.len()).filter(one_sided).flat_map(|s| {
+    /// Ways after which springs that only push or pull are met or let go of, one after the other; of all springs those after which they
+    /// have their natural length or are shortest or longest, so that the force of none turns within a hair.
+    fn springs_met(&self, all: bool) -> SmallVec<[T; 4]> {
+        let far = (T::constant(Dd::PI * Dd::new(2.0 * TURNS)), T::of(STEP));
+        let looked = |s: &usize| match self.scene.struts[*s].acts {
+            Acts::Both => all && !self.scene.struts[*s].twists(),
+            Acts::Pushes | Acts::Pulls => true,
+        };
+        let ways = (0..self.scene.struts.len()).filter(looked).flat_map(|s| {
+            let square = |way: T| {
+                let [x, y] = self.apart(&self.poses(way)?, s);
+                Ok::<_, Refusal>(x.value.square() + y.value.square())
+            };
+            let turns =
+                if self.scene.struts[s].twists() { SmallVec::new() } else { root::turns(far, &square) };
             let value = |way: T| Ok::<_, Refusal>(self.length(&self.poses(way)?, s).value - self.natural[s]);
-            root::changes((horizon, T::of(STEP)), &value).unwrap_or_default()
+            let met = root::changes(far, &turns, &value).unwrap_or_default();
+            met.into_iter().chain(turns.into_iter().filter(move |_| all))
         });
-        let mut all: SmallVec<[T; 4]> = all.collect();
+        let mut all: SmallVec<[T; 4]> = ways.collect();
         all.sort_by(|a, b| a.f64().total_cmp(&b.f64()));
         all
     }

@@ -800,7 +800,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         let (Some(phases), Some(rub)) = (&self.phases, self.scene.ties[tie].rubbing()) else { return };
         let [v, rim] = phases::slip(&self.n, &rub, phases.ends()[0]);
         let rolled = phases.rolled.iter().find(|rolled| rolled.tie == tie);
-        let a = rolled.map(|rolled| rolled.rate.v[rub.body]).filter(|_| holds);
+        let a = rolled.and_then(|rolled| Some(rolled.rate.as_ref()?.v[rub.body])).filter(|_| holds);
         let of = Owner::Body(rub.body);
         self.say(Quantity::SlipSpeed, of, v.apart(rim).abs());
         if let Some(a) = a {

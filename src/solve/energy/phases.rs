@@ -37,6 +37,9 @@ pub struct Phase<T> {
     needs: Needs<T>,
 }
 
+/// Contacts at rest of which one is held on account of what another does.
+const IN_TURN: Refusal = Refusal::Unsupported(Unsupported::SlidesInTurn);
+
 /// Of each tie the friction that its contact needs, if it is one that could rub and holds by friction.
 type Needs<T> = PerTie<Option<T>>;
 
@@ -50,8 +53,8 @@ pub struct Rolled<T> {
     pub tie: usize,
     /// Friction that it then has.
     pub friction: T,
-    /// Accelerations.
-    pub rate: Mode<T>,
+    /// Accelerations from there on; none of what never comes to roll.
+    pub rate: Option<Mode<T>>,
 }
 
 /// A motion in phases, up to its end if it gets there.
@@ -130,7 +133,7 @@ impl<T: Real> Phases<T> {
         let (gone, spent, turned, let_go) = (zero, zero, false, 0);
         let mut now = Follower { scene, n, pulls, kinetic, sense: 0.0, turned, gone, spent, let_go };
         let mut all = Self { legs: SmallVec::new(), ended: false, rolled: SmallVec::new(), sense: 0.0 };
-        let (mut held, mut needs) = now.onset(&from, &mut all.rolled)?;
+        let (mut held, mut needs) = now.onset(&from, &mut all)?;
         let onset = now.kinetic.clone();
         loop {
             let (modes, rate) = (now.modes(), now.rate());
@@ -167,7 +170,7 @@ impl<T: Real> Phases<T> {
                 all.legs.push(Phase { to, time, ..leg });
             }
             // After its end the motion goes on until all is told of what slips, or nothing is known any more.
-            match now.closing(&closed, &mut all) {
+            match now.settle(&closed, &mut all) {
                 Ok(Some(next)) => (held, needs) = next,
                 Err(refusal) if !all.ended => return Err(refusal),
                 Ok(None) if !all.ended => {
@@ -263,36 +266,18 @@ impl<T: Real> Follower<'_, '_, T> {
         self.gained(&self.modes(), kinetic, Some(from), time)
     }
 
-    /// The contacts at the start: what slips rubs, what is at rest holds if it can be held.
-    fn onset(
-        &mut self,
-        from: &Mode<T>,
-        rolled: &mut SmallVec<[Rolled<T>; 1]>,
-    ) -> Result<(Reactions<T>, Needs<T>), Refusal> {
+    /// The contacts at the start: what slips rubs.
+    fn onset(&mut self, from: &Mode<T>, all: &mut Phases<T>) -> Result<Held<T>, Refusal> {
+        let own: SmallVec<[(usize, Rubbing); 4]> = self.rubbing().collect();
         let mut at_rest: SmallVec<[usize; 2]> = SmallVec::new();
-        let slips: SmallVec<[(usize, Rubbing, T); 2]> = self
-            .rubbing()
-            .map(|(t, rub)| {
-                let [v, rim] = slip(self.n, &rub, from);
-                (t, rub, v.apart(rim))
-            })
-            .collect();
-        for (t, rub, slip) in slips {
-            match slip.sign() {
-                0.0 => at_rest.push(t),
-                sense => self.kinetic[t] = Some(self.friction(&rub).signed(-sense)),
+        for (t, rub) in &own {
+            let [v, rim] = slip(self.n, rub, from);
+            match v.apart(rim).sign() {
+                0.0 => at_rest.push(*t),
+                sense => self.kinetic[*t] = Some(self.friction(rub).signed(-sense)),
             }
         }
-        let held = self.reactions(&self.rate());
-        let needs = self.needs(&held)?;
-        if self.holding(&at_rest, &held, &needs, rolled) {
-            return Ok((held, needs));
-        }
-        let [one] = at_rest[..] else { return Err(Refusal::Unsupported(Unsupported::SlidesInTurn)) };
-        // It begins to slip against the friction that it would need.
-        let rub = self.scene.ties[one].rubbing();
-        self.kinetic[one] = rub.map(|rub| self.friction(&rub).signed(held[one].sign()));
-        Ok((self.reactions(&self.rate()), smallvec![None; needs.len()]))
+        self.settle(&at_rest, all)?.ok_or(IN_TURN)
     }
 
     /// Kinetic friction.
@@ -322,7 +307,7 @@ impl<T: Real> Follower<'_, '_, T> {
         }
         let loose = speeds::modes(self.scene, self.n, &holds);
         if loose.len() > fast + 1 {
-            return Err(Refusal::Unsupported(Unsupported::SlidesInTurn));
+            return Err(IN_TURN);
         }
         let slides = |mode: &&Mode<T>| shared.iter().any(|(_, rub)| !mode.v[rub.body].is_zero());
         let Some(way) = loose.iter().find(slides) else { return Ok(needs) };
@@ -339,22 +324,40 @@ impl<T: Real> Follower<'_, '_, T> {
         Ok(needs)
     }
 
-    /// Contacts come to rest: are they held, and what holds or lets go of what slides? `None` where one would have to roll and cannot.
-    fn closing(&mut self, closed: &[usize], all: &mut Phases<T>) -> Result<Option<Held<T>>, Refusal> {
-        let held = self.reactions(&self.rate());
-        let needs = self.needs(&held)?;
-        let holds = self.holding(closed, &held, &needs, &mut all.rolled);
-        all.ended |= self.ends_at_rest(closed, holds);
-        if holds {
-            return Ok(Some((held, needs)));
-        }
-        if closed.iter().any(|t| slips(self.scene, *t)) {
+    /// Contacts are at rest: friction either needs no power of theirs, or it loses some as they slip from there. `None` where one that
+    /// has come to rest would have to roll and cannot.
+    ///
+    /// Errors: whether one is held hangs on what another does.
+    fn settle(&mut self, at_rest: &[usize], all: &mut Phases<T>) -> Result<Option<Held<T>>, Refusal> {
+        let starts = all.legs.is_empty();
+        let held = self.held()?;
+        // Of blocks that stay so far one may be drawn along now.
+        let stays = |t: &usize| self.kinetic[*t].is_none() && !slips(self.scene, *t);
+        let own = self.rubbing().map(|(t, _)| t);
+        let resting: SmallVec<[usize; 2]> = own.filter(|t| at_rest.contains(t) || stays(t)).collect();
+        let loose = self.yields(&resting, &held.1);
+        let own = at_rest.iter().find(|t| !starts && self.ends_with(**t));
+        // At its turning point it ends, held or not.
+        all.ended |= own.is_some() && matches!(self.scene.end, End::TurningPoint(_));
+        if !starts && loose.iter().any(|t| slips(self.scene, *t)) {
+            self.rolls(at_rest, &held.0, &mut all.rolled);
             return Ok(None);
         }
-        self.gives_way(closed, &held)?;
+        let settled = if loose.is_empty() { held } else { self.gives_way(&loose, &mut all.rolled)? };
+        let holds: SmallVec<[usize; 2]> = resting.into_iter().filter(|t| !loose.contains(t)).collect();
+        if !self.yields(&holds, &settled.1).is_empty() {
+            return Err(IN_TURN);
+        }
+        self.rolls(&holds, &settled.0, &mut all.rolled);
+        all.ended |= own.is_some_and(|own| holds.contains(own));
+        Ok(Some(settled))
+    }
+
+    /// The reactions, and what friction the contacts need that hold.
+    fn held(&self) -> Result<Held<T>, Refusal> {
         let held = self.reactions(&self.rate());
         let needs = self.needs(&held)?;
-        Ok(Some((held, needs)))
+        Ok((held, needs))
     }
 
     /// What never comes to rest: as if it held at the start, with this friction of the others.
@@ -367,57 +370,69 @@ impl<T: Real> Follower<'_, '_, T> {
         for t in 0..self.scene.ties.len() {
             if slips(self.scene, t) && rolled.iter().all(|known| known.tie != t) {
                 let rubbed = self.kinetic[t].take();
-                let rate = self.rate();
-                let held = self.reactions(&rate);
+                let held = self.reactions(&self.rate());
                 if held.is_open(t) {
                     return Err(Refusal::Unsupported(Unsupported::SlipShared));
                 }
-                rolled.push(Rolled { tie: t, friction: held[t], rate });
+                rolled.push(Rolled { tie: t, friction: held[t], rate: None });
                 self.kinetic[t] = rubbed;
             }
         }
         Ok(())
     }
 
-    /// What slides and cannot be held where it comes to rest loses power to friction on its way back.
-    fn gives_way(&mut self, closed: &[usize], held: &Reactions<T>) -> Result<(), Refusal> {
+    /// Contacts that cannot be held lose power to friction as they slip from rest, each whether or not the others do.
+    fn gives_way(
+        &mut self,
+        loose: &[usize],
+        rolled: &mut SmallVec<[Rolled<T>; 1]>,
+    ) -> Result<Held<T>, Refusal> {
         let own: SmallVec<[(usize, Rubbing); 2]> =
-            self.rubbing().filter(|(t, _)| closed.contains(t)).collect();
-        let together = own.len() == 1 || own.iter().all(|(t, _)| held.is_open(*t));
+            self.rubbing().filter(|(t, _)| loose.contains(t)).collect();
+        let sense = |rub: &Rubbing, rate: &Mode<T>| {
+            let [v, rim] = slip(self.n, rub, rate);
+            v.balance(-rim).sign()
+        };
         own.iter().for_each(|(t, _)| self.kinetic[*t] = Some(T::zero()));
         let smooth = self.rate();
         for (t, rub) in &own {
-            self.kinetic[*t] = Some(self.friction(rub).signed(-smooth.v[rub.body].sign()));
+            self.kinetic[*t] = Some(self.friction(rub).signed(-sense(rub, &smooth)));
+        }
+        for (t, _) in &own {
+            let rubs = self.kinetic[*t].take();
+            let held = self.held()?;
+            if self.yields(&[*t], &held.1).is_empty() {
+                return Err(IN_TURN);
+            }
+            self.rolls(&[*t], &held.0, rolled);
+            self.kinetic[*t] = rubs;
         }
         let rate = self.rate();
         self.let_go += 1;
-        let loses = |(_, rub): &(usize, Rubbing)| rate.v[rub.body].sign() * smooth.v[rub.body].sign() > 0.0;
-        if together && self.let_go <= 4 * self.kinetic.len() && own.iter().all(loses) {
-            Ok(())
+        let loses = |(_, rub): &(usize, Rubbing)| sense(rub, &rate) * sense(rub, &smooth) > 0.0;
+        if self.let_go <= 4 * self.kinetic.len() && own.iter().all(loses) {
+            self.held()
         } else {
-            Err(Refusal::Unsupported(Unsupported::SlidesInTurn))
+            Err(IN_TURN)
         }
     }
 
-    /// Can static friction hold these contacts? Of those that are said to slip it is told what they need at first.
-    fn holding(
-        &self,
-        ties: &[usize],
-        held: &Reactions<T>,
-        needs: &[Option<T>],
-        rolled: &mut SmallVec<[Rolled<T>; 1]>,
-    ) -> bool {
-        let mut holds = true;
+    /// Those of these contacts that need more than static friction can give. What needs none is held by the other ties: no power is lost.
+    fn yields(&self, ties: &[usize], needs: &[Option<T>]) -> SmallVec<[usize; 2]> {
+        let more = |t: &usize| {
+            let (Some(rub), Some(needed)) = (self.scene.ties[*t].rubbing(), needs[*t]) else { return false };
+            !needed.at_most(self.n.get(rub.mu_s) * balance::normal(self.scene, self.n, rub.body))
+        };
+        ties.iter().copied().filter(more).collect()
+    }
+
+    /// Of those of these contacts that are said to slip it is told what they need at first.
+    fn rolls(&self, ties: &[usize], held: &Reactions<T>, rolled: &mut SmallVec<[Rolled<T>; 1]>) {
         for t in ties {
-            // What needs none is held by the other ties: no power is lost.
-            let (Some(rub), Some(needed)) = (self.scene.ties[*t].rubbing(), needs[*t]) else { continue };
-            let normal = balance::normal(self.scene, self.n, rub.body);
-            holds &= needed.at_most(self.n.get(rub.mu_s) * normal);
-            if rub.radius_m.is_some() && rolled.iter().all(|known| known.tie != *t) {
-                rolled.push(Rolled { tie: *t, friction: held[*t], rate: self.rate() });
+            if slips(self.scene, *t) && rolled.iter().all(|known| known.tie != *t) {
+                rolled.push(Rolled { tie: *t, friction: held[*t], rate: Some(self.rate()) });
             }
         }
-        holds
     }
 
     /// The contacts that come to rest, each with the time until then.
@@ -451,12 +466,11 @@ impl<T: Real> Follower<'_, '_, T> {
         rests
     }
 
-    /// Is it the end that these contacts come to rest, which can be held or not?
-    fn ends_at_rest(&self, closed: &[usize], holds: bool) -> bool {
-        let slides = |radius: Option<_>| radius.is_none();
-        closed.iter().filter_map(|t| self.scene.ties[*t].rubbing()).any(|rub| match self.scene.end {
-            End::Rolling(c) => holds && !slides(rub.radius_m) && c.body == rub.body,
-            End::TurningPoint(c) => slides(rub.radius_m) && c.body == rub.body,
+    /// Is it the end that this contact comes to rest?
+    fn ends_with(&self, tie: usize) -> bool {
+        self.scene.ties[tie].rubbing().is_some_and(|rub| match self.scene.end {
+            End::Rolling(c) => rub.radius_m.is_some() && c.body == rub.body,
+            End::TurningPoint(c) => rub.radius_m.is_none() && c.body == rub.body,
             _ => false,
         })
     }
@@ -467,25 +481,18 @@ impl<T: Real> Follower<'_, '_, T> {
         let in_time = |time: &T| next.is_none_or(|next| !next.below(*time) || next.apart(*time).is_zero());
         let end = self.scene.ending_coordinate();
         let (u0, gain) = (from.of(end), rate.of(end));
-        let own: SmallVec<[(usize, Rubbing); 1]> =
-            self.rubbing().filter(|(_, rub)| rub.body == end.body).collect();
+        let own =
+            |held| (0..self.kinetic.len()).any(|t| self.kinetic[t].is_none() == held && self.ends_with(t));
+        let [holds, rubs] = [true, false].map(own);
         if self.sense == 0.0 {
             self.sense = [u0, gain].iter().map(|x| x.sign()).find(|s| *s != 0.0).unwrap_or(0.0);
         }
         match self.scene.end {
             End::AtOnce => return Some(T::zero()),
             End::Time(_, t) => return Some(self.n.get(t) - self.spent).filter(in_time),
-            End::Rolling(_) => {
-                let rolls =
-                    |(t, rub): &(usize, Rubbing)| rub.radius_m.is_some() && self.kinetic[*t].is_none();
-                return (self.spent.is_zero() && own.iter().any(rolls)).then(T::zero);
-            }
+            End::Rolling(_) => return (self.spent.is_zero() && holds).then(T::zero),
             // It ends where the contact comes to rest.
-            End::TurningPoint(_)
-                if own.iter().any(|(t, rub)| rub.radius_m.is_none() && self.kinetic[*t].is_some()) =>
-            {
-                return None;
-            }
+            End::TurningPoint(_) if rubs => return None,
             _ => {}
         }
         if self.turned || u0.sign() * self.sense < 0.0 || self.sense == 0.0 {

@@ -30,7 +30,7 @@ use crate::solve::eom::travel::{Leg, State, Travel};
 use crate::solve::found::{self, Forward};
 use crate::solve::method::{Method, Rung};
 use crate::solve::outcome;
-use crate::solve::outcome::{Course, Held, Refusal, Road, Said, Scope, Set, Throw, Told, Unsupported};
+use crate::solve::outcome::{Course, Held, Refusal, Road, Said, Scope, Set, Throw, Told};
 use smallvec::{SmallVec, smallvec};
 #[cfg(feature = "program")]
 use std::rc::Rc;
@@ -432,10 +432,10 @@ impl<'a, T: Real> Walk<'a, T> {
         slipping.iter().for_each(|t| setting.holds[*t] = true);
         let response = respond(scene, &n, &setting)?;
         equilibrium(scene, &n, &mut springs, &response);
-        if let Some((known, _)) = given
-            && response.acceleration(known, response.last()).is_zero()
+        if let Some((of, given)) = given
+            && response.acceleration(of, response.last()).is_zero()
         {
-            return Err(Refusal::Unsupported(Unsupported::StartHeld));
+            return Err(Refusal::Contradiction { of, given: given.f64(), follows: 0.0 });
         }
         let of = |r: &Response<T>, c| velocity(given, r, c).unwrap_or_else(T::zero);
         for (c, v) in scene.start_speeds() {
@@ -1042,8 +1042,9 @@ impl<'a, T: Real> Walk<'a, T> {
             let available = self.n.get(mu_s) * normal;
             let [along, turn] = [Degree::Along, Degree::Turn]
                 .map(|degree| self.acceleration(Coordinate { body, degree }, pulls));
-            if self.phases.is_some() {
-                if needed.at_most(available) && self.scene.end != End::AtOnce {
+            if let Some(phases) = &self.phases {
+                let comes = phases.until[t].is_some() && self.scene.end != End::AtOnce;
+                if comes && needed.at_most(available) {
                     let line = Coordinate { body, degree: Degree::Along };
                     let a = under(pulls, |k| rolled.acceleration(line, k));
                     let with = self.n.bodies[body].carried.map(|[forward, _]| forward.acceleration);

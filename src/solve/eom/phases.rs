@@ -14,7 +14,7 @@ use crate::num::Real;
 use crate::num::ode::{Count, Formula, Run};
 use crate::num::plant::plant;
 use crate::scene::{Coordinate, Degree, End, Numbers, Scene, Tie};
-use crate::solve::eom::equations::{self, CONSTANT, Needs, Response, Setting, respond};
+use crate::solve::eom::equations::{self, Needs, Response, Setting, respond};
 use crate::solve::eom::instant::{self, Each};
 use crate::solve::eom::travel::{Leg, Travel};
 use crate::solve::eom::{Gone, Rolled, measure, under};
@@ -44,6 +44,9 @@ pub struct Phase<T> {
     /// The ways of the coordinates, where they are from steps.
     ways: Option<Each<T>>,
 }
+
+/// Whether one contact is held hangs on what another does.
+const IN_TURN: Refusal = Refusal::Unsupported(Unsupported::SlidesInTurn);
 
 /// Forces and accelerations, and what friction the contacts need.
 type Forces<T> = (Response<T>, Needs<T>);
@@ -114,12 +117,11 @@ impl<'a, T: Real> Phases<'a, T> {
             ends: Each::new(),
             after: None,
         };
-        let (mut setting, mut response, mut needs) = all.onset(n, &speeds, pulls)?;
+        let (mut setting, (mut response, mut needs)) = all.onset(n, &speeds, pulls)?;
         let first = setting.clone();
         let mut starts = T::zero();
         loop {
-            let rates: Each<T> =
-                all.coordinates.iter().map(|c| under(pulls, |k| response.acceleration(*c, k))).collect();
+            let rates = all.rates(&response, pulls);
             let rests = all.comes_to_rest(&setting, &speeds, &rates, starts);
             let rest = rests
                 .iter()
@@ -148,12 +150,8 @@ impl<'a, T: Real> Phases<'a, T> {
                 break;
             };
             starts = starts + time;
-            for t in &closed {
-                setting.holds[*t] = true;
-                setting.friction_sense[*t] = 0.0;
-            }
             // Beyond its end it is followed for what becomes of the contacts that still slip, as far as that is known.
-            match all.closing(n, &mut setting, &closed, pulls) {
+            match all.settle(n, &mut setting, &closed, pulls) {
                 Ok(Some(next)) => (response, needs) = next,
                 Err(refusal) if !all.ended => return Err(refusal),
                 Ok(None) if !all.ended => {
@@ -180,30 +178,98 @@ impl<'a, T: Real> Phases<'a, T> {
         Ok(all)
     }
 
-    /// What becomes of contacts that come to rest: they hold, or what slides goes on the other way. `None` if one of them is said to slip
-    /// and cannot be held.
-    fn closing(
+    /// What becomes of contacts at rest: static friction holds each of them, or it slips from there. `None` where one that has come to
+    /// rest is said to slip and cannot be held.
+    ///
+    /// Errors: whether one is held hangs on what another does.
+    fn settle(
         &mut self,
         n: &Numbers<T>,
         setting: &mut Setting,
-        closed: &[usize],
+        at_rest: &[usize],
         pulls: &[T],
     ) -> Result<Option<Forces<T>>, Refusal> {
-        let mut response = respond(self.scene, n, setting)?;
-        let mut needs = equations::needs(self.scene, n, (setting, &response), pulls)?;
-        let held = self.holding(n, closed, &response, &needs);
-        if !self.ended && self.ends_at_rest(closed, held) {
+        for t in at_rest {
+            setting.holds[*t] = true;
+            setting.friction_sense[*t] = 0.0;
+        }
+        let sets_off = self.legs.is_empty();
+        let held = self.forces(n, setting, pulls)?;
+        // A block that has been held so far may be drawn along by what rubs no longer.
+        let stays = |t: &usize| {
+            setting.holds[*t] && self.rims[*t].is_none() && self.scene.ties[*t].rubbing().is_some()
+        };
+        let resting: SmallVec<[usize; 4]> =
+            (0..setting.holds.len()).filter(|t| at_rest.contains(t) || stays(t)).collect();
+        let loose = self.too_weak(n, &resting, &held);
+        let own = at_rest.iter().find(|t| !sets_off && !self.ended && self.ends_with(**t));
+        if own.is_some() && matches!(self.scene.end, End::TurningPoint(_)) {
+            // It ends there whether it can be held or not.
             self.ended = true;
-            self.after = Some((setting.clone(), response.clone()));
+            self.turning = Some(self.gone);
+            self.after = Some((setting.clone(), held.0.clone()));
         }
-        if !held {
-            if closed.iter().any(|t| self.rims[*t].is_some()) {
-                return Ok(None);
+        let settled = if loose.is_empty() {
+            held
+        } else if !sets_off && loose.iter().any(|t| self.rims[*t].is_some()) {
+            self.rolls(at_rest, &held.0);
+            return Ok(None);
+        } else {
+            self.lets_go(n, (setting, &loose), pulls)?
+        };
+        let holds: SmallVec<[usize; 4]> = resting.into_iter().filter(|t| !loose.contains(t)).collect();
+        if !self.too_weak(n, &holds, &settled).is_empty() {
+            return Err(IN_TURN);
+        }
+        self.rolls(&holds, &settled.0);
+        if sets_off {
+            holds.iter().for_each(|t| self.until[*t] = Some(T::zero()));
+        }
+        if own.is_some_and(|own| holds.contains(own)) {
+            self.ended = true;
+            self.after = Some((setting.clone(), settled.0.clone()));
+        }
+        Ok(Some(settled))
+    }
+
+    /// Is it the end that this contact comes to rest?
+    fn ends_with(&self, tie: usize) -> bool {
+        let Some(rub) = self.scene.ties[tie].rubbing() else { return false };
+        match self.scene.end {
+            End::Rolling(c) => c.body == rub.body && rub.radius_m.is_some(),
+            End::TurningPoint(c) => c.body == rub.body && rub.radius_m.is_none(),
+            _ => false,
+        }
+    }
+
+    /// Forces and accelerations, and what friction the contacts need.
+    fn forces(&self, n: &Numbers<T>, setting: &Setting, pulls: &[T]) -> Result<Forces<T>, Refusal> {
+        let response = respond(self.scene, n, setting)?;
+        let needs = equations::needs(self.scene, n, (setting, &response), pulls)?;
+        Ok((response, needs))
+    }
+
+    /// Those of these contacts that static friction cannot hold. What needs none is held by the other ties, whatever its friction.
+    fn too_weak(
+        &self,
+        n: &Numbers<T>,
+        ties: &[usize],
+        (response, needs): &Forces<T>,
+    ) -> SmallVec<[usize; 4]> {
+        let slips = |t: &usize| {
+            let (Some(rub), Some(needed)) = (self.scene.ties[*t].rubbing(), needs[*t]) else { return false };
+            !needed.at_most(n.get(rub.mu_s) * response.normal(rub.body))
+        };
+        ties.iter().copied().filter(slips).collect()
+    }
+
+    /// How those of these contacts roll that are said to slip, as they do first.
+    fn rolls(&mut self, ties: &[usize], response: &Response<T>) {
+        for t in ties {
+            if self.rims[*t].is_some() && self.rolled.iter().all(|(known, _)| known != t) {
+                self.rolled.push((*t, response.clone()));
             }
-            response = self.gives_way(n, (setting, &response), closed)?;
-            needs = equations::needs(self.scene, n, (setting, &response), pulls)?;
         }
-        Ok(Some((response, needs)))
     }
 
     /// What never comes to rest: as if it held at the start.
@@ -242,14 +308,8 @@ impl<'a, T: Real> Phases<'a, T> {
         (v.apart(rim), v.size() + rim.size())
     }
 
-    /// How the contacts are at the start: what slips rubs, what is at rest holds. One that is at rest and cannot be held begins to slip
-    /// against the friction that it would need.
-    fn onset(
-        &mut self,
-        n: &Numbers<T>,
-        speeds: &[T],
-        pulls: &[T],
-    ) -> Result<(Setting, Response<T>, Needs<T>), Refusal> {
+    /// How the contacts are at the start: what slips rubs.
+    fn onset(&mut self, n: &Numbers<T>, speeds: &[T], pulls: &[T]) -> Result<(Setting, Forces<T>), Refusal> {
         let mut setting = Setting::loose(self.scene);
         let mut at_rest: SmallVec<[usize; 4]> = SmallVec::new();
         for t in 0..self.scene.ties.len() {
@@ -257,68 +317,52 @@ impl<'a, T: Real> Phases<'a, T> {
             let slip = v.apart(rim);
             setting.friction_sense[t] = -slip.sign();
             if slip.is_zero() {
-                setting.holds[t] = true;
                 at_rest.push(t);
             }
         }
-        let response = respond(self.scene, n, &setting)?;
-        let needs = equations::needs(self.scene, n, (&setting, &response), pulls)?;
-        if self.holding(n, &at_rest, &response, &needs) {
-            at_rest.into_iter().for_each(|t| self.until[t] = Some(T::zero()));
-            return Ok((setting, response, needs));
-        }
-        let [one] = at_rest[..] else { return Err(Refusal::Unsupported(Unsupported::SlidesInTurn)) };
-        setting.holds[one] = false;
-        setting.friction_sense[one] = under(pulls, |k| response.reaction(one, k)).sign();
-        let response = respond(self.scene, n, &setting)?;
-        Ok((setting, response, smallvec![None; needs.len()]))
+        let settled = self.settle(n, &mut setting, &at_rest, pulls)?;
+        Ok((setting, settled.ok_or(IN_TURN)?))
     }
 
-    /// Can static friction hold these contacts? Of those that are said to slip it is told what they need at first.
-    fn holding(
+    /// Contacts at rest that cannot be held slip the way that they would go without friction, each whatever the others do.
+    fn lets_go(
         &mut self,
         n: &Numbers<T>,
-        ties: &[usize],
-        response: &Response<T>,
-        needs: &[Option<T>],
-    ) -> bool {
-        let mut holds = true;
-        for t in ties {
-            // What has none is held by the other ties, whatever its friction.
-            let (Some(rub), Some(needed)) = (self.scene.ties[*t].rubbing(), needs[*t]) else { continue };
-            holds &= needed.at_most(n.get(rub.mu_s) * response.normal(rub.body));
-            if rub.radius_m.is_some() && self.rolled.iter().all(|(known, _)| known != t) {
-                self.rolled.push((*t, response.clone()));
-            }
-        }
-        holds
-    }
-
-    /// What slides and cannot be held where it comes to rest goes on the other way: alone, or together with what shares its friction.
-    fn gives_way(
-        &mut self,
-        n: &Numbers<T>,
-        (setting, held): (&mut Setting, &Response<T>),
-        closed: &[usize],
-    ) -> Result<Response<T>, Refusal> {
-        let refused = Refusal::Unsupported(Unsupported::SlidesInTurn);
-        if !(closed.len() == 1 || closed.iter().all(|t| held.is_open(*t)))
-            || self.let_go > 4 * self.rims.len()
-        {
-            return Err(refused);
-        }
+        (setting, loose): (&mut Setting, &[usize]),
+        pulls: &[T],
+    ) -> Result<Forces<T>, Refusal> {
         self.let_go += 1;
-        let goes = |response: &Response<T>, t: usize| {
-            let own =
-                self.scene.ties[t].rubbing().map(|rub| Coordinate { body: rub.body, degree: Degree::Along });
-            own.map_or(0.0, |c| response.acceleration(c, CONSTANT).sign())
-        };
-        closed.iter().for_each(|t| setting.holds[*t] = false);
+        if self.let_go > 4 * self.rims.len() {
+            return Err(IN_TURN);
+        }
+        loose.iter().for_each(|t| setting.holds[*t] = false);
         let smooth = respond(self.scene, n, setting)?;
-        closed.iter().for_each(|t| setting.friction_sense[*t] = -goes(&smooth, *t));
-        let response = respond(self.scene, n, setting)?;
-        let against = closed.iter().all(|t| goes(&response, *t) * setting.friction_sense[*t] < 0.0);
-        if against { Ok(response) } else { Err(refused) }
+        for t in loose {
+            setting.friction_sense[*t] = -self.slips_by(*t, &smooth, pulls);
+        }
+        for t in loose {
+            let mut alone = setting.clone();
+            (alone.holds[*t], alone.friction_sense[*t]) = (true, 0.0);
+            let held = self.forces(n, &alone, pulls)?;
+            if self.too_weak(n, &[*t], &held).is_empty() {
+                return Err(IN_TURN);
+            }
+            self.rolls(&[*t], &held.0);
+        }
+        let settled = self.forces(n, setting, pulls)?;
+        let against = |t: &usize| self.slips_by(*t, &settled.0, pulls) * setting.friction_sense[*t] < 0.0;
+        if loose.iter().all(against) { Ok(settled) } else { Err(IN_TURN) }
+    }
+
+    /// The sense in which a contact at rest begins to slip.
+    fn slips_by(&self, tie: usize, response: &Response<T>, pulls: &[T]) -> f64 {
+        let rates = self.rates(response, pulls);
+        self.at_contact(tie, &rates).map_or(0.0, |[a, turned]| a.balance(-turned).sign())
+    }
+
+    /// All accelerations.
+    fn rates(&self, response: &Response<T>, pulls: &[T]) -> Each<T> {
+        self.coordinates.iter().map(|c| under(pulls, |k| response.acceleration(*c, k))).collect()
     }
 
     /// When contacts come to rest, from the start of this phase.
@@ -343,24 +387,13 @@ impl<'a, T: Real> Phases<'a, T> {
         rests
     }
 
-    /// Is it the end that these contacts come to rest, which can be held or not?
-    fn ends_at_rest(&self, closed: &[usize], held: bool) -> bool {
-        closed.iter().filter_map(|t| self.scene.ties[*t].rubbing()).any(|rub| match self.scene.end {
-            End::Rolling(c) => held && rub.radius_m.is_some() && c.body == rub.body,
-            End::TurningPoint(c) => rub.radius_m.is_none() && c.body == rub.body,
-            _ => false,
-        })
-    }
-
     /// When the end comes in this phase, from its start, which a contact that comes to rest ends.
     fn end_in(&mut self, n: &Numbers<T>, leg: &Phase<T>, rest: Option<T>) -> Option<T> {
         // What ties bring to rest with that contact comes to rest at the same time, whatever its last digits.
         let by_then = |time: &T| rest.is_none_or(|rest| !rest.below(*time) || rest.apart(*time).is_zero());
         let end = self.scene.ending_coordinate();
-        let slides = |t: usize| {
-            let rub = self.scene.ties[t].rubbing().filter(|rub| rub.body == end.body);
-            rub.map(|rub| (rub.radius_m.is_some(), leg.holds[t]))
-        };
+        let own = |held: bool| (0..leg.holds.len()).any(|t| leg.holds[t] == held && self.ends_with(t));
+        let [holds, rubs] = [true, false].map(own);
         let [v, a] = [&leg.speeds, &leg.rates].map(|of| self.of(of, end.body, end.degree));
         if self.sense == 0.0 && !self.ended {
             self.sense = if v.is_zero() { a.sign() } else { v.sign() };
@@ -368,14 +401,7 @@ impl<'a, T: Real> Phases<'a, T> {
         match self.scene.end {
             End::Time(_, t) => return Some(n.get(t) - leg.starts).filter(by_then),
             End::AtOnce => return Some(T::zero()),
-            End::Rolling(_) => {
-                let rolls = |t| slides(t) == Some((true, true)) && leg.starts.is_zero();
-                return (0..leg.holds.len()).any(rolls).then(T::zero);
-            }
-            // Told where the contact comes to rest.
-            End::TurningPoint(_) if (0..leg.holds.len()).any(|t| slides(t) == Some((false, false))) => {
-                return None;
-            }
+            End::Rolling(_) => return (holds && leg.starts.is_zero()).then(T::zero),
             _ => {}
         }
         let sense = self.sense;
@@ -385,7 +411,8 @@ impl<'a, T: Real> Phases<'a, T> {
         }
         let legs = [Leg { from: T::zero(), f: a.signed(sense), w2: None }];
         let travel = Travel { u0: v.abs(), legs: &legs };
-        let turning = travel.turning();
+        // The turning point of what rubs as it slides is told where its contact comes to rest.
+        let turning = travel.turning().filter(|_| !rubs);
         let asked = measure(self.scene, n, sense);
         let s = match self.scene.end {
             End::Speed(..) => asked.and_then(|u| travel.reaching(u)),

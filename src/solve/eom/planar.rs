@@ -20,7 +20,7 @@ use crate::num::linear::{Factors, Linear};
 use crate::num::plant::plant;
 use crate::num::root;
 use crate::scene::pose::{self, Layout};
-use crate::scene::{Acts, JointKind, Numbers, Rest, Scene, Spot, StrutEnd, Surface};
+use crate::scene::{Acts, JointKind, Numbers, Rest, Scene, Spot, Strut, StrutEnd, Surface};
 use crate::solve::outcome::{self, Refusal, Unsupported};
 use smallvec::{SmallVec, smallvec};
 use std::cell::RefCell;
@@ -220,11 +220,12 @@ impl<'a, T: Real> Mechanism<'a, T> {
     }
     /// Rate of the leading angle at the start. Errors: a speed of what does not move with it.
     pub fn start_rate(&self) -> Result<T, Refusal> {
-        let held = || match self.poses(T::zero(), false) {
-            Ok(_) => Refusal::Unsupported(Unsupported::StartHeld),
-            Err(unplaced) => unplaced,
-        };
-        self.layout.start_rate().ok_or_else(held)
+        let Some((of, given)) = self.scene.start_speeds().next() else { return Ok(T::zero()) };
+        if let Some(rate) = self.layout.start_rate() {
+            return Ok(rate);
+        }
+        self.poses(T::zero(), false)?;
+        Err(Refusal::Contradiction { of, given: self.n.get(given).f64(), follows: 0.0 })
     }
     /// Angle that the leading body turns per angle that leads.
     pub fn ratio(&self) -> T {
@@ -931,14 +932,27 @@ impl<'a, T: Real> Mechanism<'a, T> {
         dot(apart, apart).root().balance(-self.natural[strut])
     }
     /// Where springs that only push or pull are met or let go of on a way from the start: which, and the leading angle.
-    pub fn meets(&self, sense: f64, (far, step): (T, T)) -> SmallVec<[(usize, T); 4]> {
+    pub fn meets(&self, sense: f64, far: (T, T)) -> SmallVec<[(usize, T); 4]> {
         let one_sided = |s: &usize| self.scene.struts[*s].acts != Acts::Both;
-        let all = (0..self.scene.struts.len()).filter(one_sided).flat_map(|s| {
-            let value = |way: T| Ok::<_, Refusal>(self.beyond(&self.poses(way.signed(sense), false)?, s));
-            let ways = root::changes((far, step), &value).unwrap_or_default();
-            ways.into_iter().map(move |way| (s, way))
-        });
-        all.map(|(s, way)| (s, way.signed(sense))).collect()
+        let all = (0..self.scene.struts.len()).filter(one_sided);
+        all.flat_map(|s| {
+            self.passes(s, sense, far)[0].clone().into_iter().map(move |way| (s, way.signed(sense)))
+        })
+        .collect()
+    }
+    /// After which ways a spring has its natural length, and where it is shortest or longest: between two of those it is met once at
+    /// most, however short it is.
+    pub fn passes(&self, strut: usize, sense: f64, far: (T, T)) -> [SmallVec<[T; 4]>; 2] {
+        let Strut { at, ref to, .. } = self.scene.struts[strut];
+        let poses = |way: T| self.poses(way.signed(sense), false);
+        let square = |way: T| {
+            let (_, _, apart) = self.strut(&poses(way)?, at, to);
+            Ok::<_, Refusal>(dot(apart, apart))
+        };
+        let turns =
+            if self.scene.struts[strut].twists() { SmallVec::new() } else { root::turns(far, &square) };
+        let value = |way: T| Ok::<_, Refusal>(self.beyond(&poses(way)?, strut));
+        [root::changes(far, &turns, &value).unwrap_or_default(), turns]
     }
     /// [`Layout::in_line`].
     pub fn in_line(&self, way: T) -> bool {
@@ -968,7 +982,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
             (0..points).map(|point| Spot { body: at.body, point }).filter(|spot| *spot != at).any(|spot| {
                 let above = |way: T| above(spot, way);
                 above(T::zero()).is_ok_and(|first| first.sign() > 0.0)
-                    && root::changes(far, &above).is_ok_and(|places| !places.is_empty())
+                    && root::changes(far, &[], &above).is_ok_and(|places| !places.is_empty())
             })
         })
     }

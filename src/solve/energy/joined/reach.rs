@@ -6,7 +6,6 @@ use crate::num::{Dd, Real, ball, gauss, root, trig};
 use crate::scene::End;
 use crate::solve::energy::joined::{Account, At, Poses, STEP, STRETCHED, WIDTHS, decided};
 use crate::solve::outcome::{Refusal, Unsupported};
-use smallvec::{SmallVec, smallvec};
 
 impl<T: Real> Account<'_, T> {
     /// The first place before `far` at which `value`, which sets off above 0 (or `rising` below it), no longer is there, however
@@ -17,41 +16,17 @@ impl<T: Real> Account<'_, T> {
         rising: bool,
         value: &dyn Fn(T) -> Result<T, Refusal>,
     ) -> Result<Option<T>, Refusal> {
-        let gone = |now: T| now.sign() == 0.0 || (now.sign() > 0.0) == rising;
         ball::unwatched(|| {
             let mut sure = true;
-            let root = |from, to, sure| {
-                let root = root::between_values(from, to, rising, value)?;
-                Self::around(root, sure, value).map(Some)
-            };
-            let mut seen: SmallVec<[(T, T); 3]> = smallvec![(T::zero(), value(T::zero())?)];
             // What sets off from rest beside a balance may turn in the first hair of the way.
-            let mut step = f64::min(self.stride, if seen[0].1.is_zero() { STEP / 32.0 } else { STEP });
-            for end in self.meets.iter().copied().filter(|x| x.below(far)).chain([far]) {
-                // A spring may stop the bodies and throw them back within the little way on which it is met.
-                let most = f64::min(STEP, (end - seen[seen.len() - 1].0).size() / STRETCHED);
-                while let Some((before, _)) = seen.last().copied()
-                    && before.below(end)
-                {
-                    let next = before + T::of(f64::min(step, most));
-                    step = f64::min(2.0 * step, STEP);
-                    let next = if before.below(next) && next.below(end) { next } else { end };
-                    let now = value(next)?;
-                    if gone(now) {
-                        return root(before, next, sure);
-                    }
-                    sure &= decided(now);
-                    seen.push((next, now));
-                    // Between two looks it may have been gone and back.
-                    if let Some([left, at, _]) = root::dipped(&seen, value)? {
-                        return root(left, at, sure);
-                    }
-                    if seen.len() == 3 {
-                        seen.remove(0);
-                    }
-                }
-            }
-            Ok(None)
+            let first = f64::min(self.stride, if value(T::zero())?.is_zero() { STEP / 32.0 } else { STEP });
+            let stops = self.meets.iter().copied().filter(|x| x.below(far)).chain([far]);
+            let mut told = |now| sure &= decided(now);
+            let Some([from, to]) = root::leaves(stops, [first, STEP, STRETCHED], rising, value, &mut told)?
+            else {
+                return Ok(None);
+            };
+            Self::around(root::between_values(from, to, rising, value)?, sure, value).map(Some)
         })
     }
 
@@ -136,13 +111,13 @@ impl<T: Real> Account<'_, T> {
             let square = if rest && square.sign() <= 0.0 { (way * other.square()).square() } else { square };
             Ok::<_, Refusal>(middle * sine / square.scale2(1).root())
         };
-        let (mut time, mut angle) = (T::zero(), T::zero());
+        let (rule, mut time, mut angle) = (gauss::long::<T>().0, T::zero(), T::zero());
         for met in self.meets.iter().filter(|x| x.below(way)).map(|x| *x / way) {
             let next = trig::angle(met.root(), (T::of(1.0) - met).root()).scale2(1);
-            time = time + gauss::long_integral(slowness, angle, next)?;
+            time = time + rule.integral(slowness, (angle, next), 0.0)?;
             angle = next;
         }
-        let time = time + gauss::long_integral(slowness, angle, T::constant(Dd::PI))?;
+        let time = time + rule.integral(slowness, (angle, T::constant(Dd::PI)), 0.0)?;
         Ok(plant!("energy: time of joined bodies", time))
     }
 

@@ -94,7 +94,7 @@ impl<T: Real> Account<'_, T> {
             Some(T::zero())
         } else {
             self.sense = sense;
-            self.meets = ball::unwatched(|| self.springs_met());
+            self.meets = ball::unwatched(|| self.springs_met(true));
             self.sense = 1.0;
             let way = self.first(full, false, &|way| Ok(power(self, way.signed(sense))?.signed(sense)))?;
             way.map(|way| way.signed(sense))

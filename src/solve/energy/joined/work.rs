@@ -164,7 +164,7 @@ impl<T: Real> Account<'_, T> {
                     Ok::<_, Refusal>(dot(self.push(&poses, push, *direction), v))
                 };
                 let terms = pose::size(self.scene, self.n);
-                add(p * gauss::integral_of_terms(power, (T::zero(), way), terms)?);
+                add(p * gauss::short().integral(power, (T::zero(), way), terms)?);
             } else {
                 add(p * dot(self.push(from, push, *direction), self.shift(places, push.at)));
             }
@@ -175,7 +175,7 @@ impl<T: Real> Account<'_, T> {
             } else {
                 let rate = |at: T| Ok::<_, Refusal>(self.poses(at)?[c.body].turn().0.signed(self.sense));
                 // A body that only moves turns by rounding alone, beside the one that leads.
-                gauss::integral_of_terms(rate, (T::zero(), way), 1.0)?.signed(self.counts(c.body))
+                gauss::short().integral(rate, (T::zero(), way), 1.0)?.signed(self.counts(c.body))
             };
             let moment = plant!("energy: work of a couple in the plane", self.n.massive(c.moment_n_m));
             add(moment * if c.forward { turned } else { -turned });
@@ -292,15 +292,15 @@ impl<T: Real> Account<'_, T> {
         }
         let within = solved.iter().find(|s| way.at_most(s.ends.1));
         Ok(within.map_or(from, |Stretch { ends: (a, b), squares: (start, _), gains }| {
-            *start + gauss::at(gains, (way - *a) / (*b - *a)) * (way - *a)
+            *start + gauss::short().at(gains, (way - *a) / (*b - *a)) * (way - *a)
         }))
     }
 
     /// One panel of the collocation; `None` if it is too long.
     pub fn collocate(&self, ends: (T, T), from: T) -> Result<Option<Stretch<T>>, Refusal> {
-        let width = ends.1 - ends.0;
+        let (width, rule) = (ends.1 - ends.0, gauss::short());
         let (mut forces, mut bends) = (PerNode::new(), PerNode::new());
-        for node in gauss::nodes() {
+        for node in &rule.nodes {
             let poses = self.poses(ends.0 + width * T::constant(*node))?;
             let balance = self.balance(&poses, &self.across_friction(&poses)?)?;
             let per = width.signed(self.sense) / balance.inertia;
@@ -309,7 +309,7 @@ impl<T: Real> Account<'_, T> {
         }
         let share = SMOOTH[usize::from(T::is_double())];
         // Bends are exponents: beside 1 they count, and in a translation rounding is all that is left of them.
-        if !gauss::smooth(&forces, share, 0.0) || !gauss::smooth(&bends, share, 1.0) {
+        if rule.rough(&forces, share, 0.0).max(rule.rough(&bends, share, 1.0)) > 1.0 {
             return Ok(None);
         }
         // Each turn of the iteration gains a power of the length of the panel over its factorial.
@@ -317,14 +317,14 @@ impl<T: Real> Account<'_, T> {
         for _ in 0..TURNS_OF_ITERATION {
             let rates = forces.iter().zip(&bends).zip(&squares).map(|((f, b), y)| *f - *b * *y);
             let rates: PerNode<T> = rates.collect();
-            let gained = gauss::running(&rates);
+            let gained = rule.running(&rates);
             let next: PerNode<T> = gained.iter().map(|g| from + *g).collect();
             let size = next.iter().map(|y| y.size()).fold(0.0, f64::max);
             let change = next.iter().zip(&squares).map(|(a, b)| (*a - *b).size()).fold(0.0, f64::max);
             squares = next;
             if change <= T::SETTLED * size {
-                let gains = gained.iter().zip(gauss::nodes()).map(|(g, x)| *g / (width * T::constant(*x)));
-                let squares = (from, from + gauss::mean(&rates));
+                let gains = gained.iter().zip(&rule.nodes).map(|(g, x)| *g / (width * T::constant(*x)));
+                let squares = (from, from + rule.mean(&rates));
                 return Ok(Some(Stretch { ends, squares, gains: gains.collect() }));
             }
         }

@@ -6,7 +6,7 @@ use crate::scene::{Acts, JointKind, Label, Owner, Quantity, Spot, pose};
 use crate::solve::eom::joined::{BESIDE, Fine, Gain, Motion, PUSHES, SHORTEST, Teller, look};
 use crate::solve::eom::planar::{LOOKED_THROUGH, Response, State};
 use crate::solve::outcome::{Course, Held, Refusal, Said, Unsupported};
-use smallvec::{SmallVec, smallvec};
+use smallvec::SmallVec;
 
 /// A way on which springs act is looked at in so many places at least.
 const PIECES: f64 = 9.0;
@@ -126,35 +126,16 @@ impl<T: Real> Teller<'_, '_, T> {
         sense: f64,
         drive: &dyn Fn(T) -> Result<T, Refusal>,
     ) -> Result<Option<T>, Refusal> {
-        let mut stops: SmallVec<[T; 4]> =
-            self.mechanism.meets(sense, (full, look())).into_iter().map(|(_, at)| at.abs()).collect();
+        let stretched = (0..self.scene.struts.len()).filter(|s| !self.scene.struts[*s].twists());
+        let all = stretched.flat_map(|s| self.mechanism.passes(s, sense, (full, look())));
+        let mut stops: SmallVec<[T; 4]> = all.flatten().collect();
         stops.sort_by(|a, b| a.f64().total_cmp(&b.f64()));
-        stops.push(full);
-        let found = |low, high| Ok(Some(root::between_values(low, high, false, drive)?.signed(sense)));
-        let mut seen: SmallVec<[(T, T); 3]> = smallvec![(T::zero(), drive(T::zero())?)];
-        for stop in stops {
-            let begin = seen[seen.len() - 1].0;
-            let step = T::of(f64::min(look::<T>().f64(), (stop - begin).size() / PIECES));
-            while let Some((before, _)) = seen.last().copied()
-                && before.below(stop)
-            {
-                // Two springs may be met within the last digit: so short a step leads nowhere.
-                let next = before + step;
-                let next = if before.below(next) && next.below(stop) { next } else { stop };
-                let now = drive(next)?;
-                if now.sign() <= 0.0 {
-                    return found(before, next);
-                }
-                seen.push((next, now));
-                if let Some([left, at, _]) = root::dipped(&seen, drive)? {
-                    return found(left, at);
-                }
-                if seen.len() == 3 {
-                    seen.remove(0);
-                }
-            }
-        }
-        Ok(None)
+        let look = look::<T>().f64();
+        let stops = stops.into_iter().chain([full]);
+        let Some([low, high]) = root::leaves(stops, [look, look, PIECES], false, drive, &mut |_| ())? else {
+            return Ok(None);
+        };
+        Ok(Some(root::between_values(low, high, false, drive)?.signed(sense)))
     }
 
     /// Errors: a place on the way at which the bodies cannot pass, as where a linkage locks.
