@@ -135,10 +135,7 @@ impl Findings {
         }
         self
     }
-    /// `value`, if nothing was found.
-    ///
-    /// # Errors
-    /// What was found.
+    /// `value`, if nothing was found. Errors: what was found.
     pub fn into_result<T>(self, value: T) -> Result<T, Self> {
         if self.is_empty() { Ok(value) } else { Err(self) }
     }

@@ -47,10 +47,7 @@ pub fn topic(name: &str) -> Option<&'static Topic> {
     TOPICS.iter().find(|t| t.name == name)
 }
 
-/// The manual as one page that needs nothing else; at its end the help of each verb (name, text).
-///
-/// # Errors
-/// Faults of the template.
+/// The manual as one page that needs nothing else; at its end the help of each verb (name, text). Errors: faults of the template.
 pub fn book(version: &str, verbs: &[(String, String)]) -> Result<String, Finding> {
     let words = Words::english();
     let mut converter = Converter::new(&words);
@@ -59,12 +56,8 @@ pub fn book(version: &str, verbs: &[(String, String)]) -> Result<String, Finding
         let body = format!("<pre tabindex=\"0\"><code>{}</code></pre>", template::in_html(help.trim()));
         part(&format!("verb-{verb}"), verb, &body)
     });
-    chapters.push(template::map([
-        ("id", template::finished("verbs")),
-        ("title", template::finished("Every command with its options")),
-        ("lead", template::finished("")),
-        ("sections", template::list(sections.collect())),
-    ]));
+    let texts = [("id", "verbs"), ("title", "Every command with its options"), ("lead", "")];
+    chapters.push(template::with(texts, [("sections", template::list(sections))]));
     let mut view = View::new();
     view.text("version", version);
     view.value("chapters", template::list(chapters));
@@ -83,20 +76,12 @@ fn chapter(topic: &Topic, converter: &mut Converter) -> Value {
         let id = format!("{}-{}", topic.name, anchor(&plain));
         part(&id, &template::in_html(&plain), &html(converter, body))
     });
-    template::map([
-        ("id", template::finished(topic.name)),
-        ("title", template::finished(&template::in_html(title))),
-        ("lead", template::finished(&lead)),
-        ("sections", template::list(sections.collect())),
-    ])
+    let texts = [("id", topic.name), ("title", &template::in_html(title)), ("lead", &lead)];
+    template::with(texts, [("sections", template::list(sections))])
 }
 
 fn part(id: &str, title: &str, body: &str) -> Value {
-    template::map([
-        ("id", template::finished(id)),
-        ("title", template::finished(title)),
-        ("body", template::finished(body)),
-    ])
+    template::texts([("id", id), ("title", title), ("body", body)])
 }
 
 /// Heading and text of each section; the first, without a heading, is what comes before. A line in a block of code is no heading.

@@ -143,7 +143,12 @@ pub fn finished(text: &str) -> Value {
 
 /// A map of finished texts.
 pub fn texts<const N: usize>(pairs: [(&str, &str); N]) -> Value {
-    map(pairs.map(|(name, text)| (name, finished(text))))
+    with(pairs, [])
+}
+
+/// A map of finished texts, and of values.
+pub fn with<const N: usize, const M: usize>(texts: [(&str, &str); N], values: [(&str, Value); M]) -> Value {
+    map(texts.map(|(name, text)| (name, finished(text))).into_iter().chain(values))
 }
 
 /// A map of finished values.
@@ -152,16 +157,13 @@ pub fn map<'a>(pairs: impl IntoIterator<Item = (&'a str, Value)>) -> Value {
 }
 
 /// A list.
-pub fn list(values: Vec<Value>) -> Value {
-    Value::from(values)
+pub fn list(values: impl IntoIterator<Item = Value>) -> Value {
+    Value::from(values.into_iter().collect::<Vec<_>>())
 }
 
 impl Templates {
     /// The built-in templates of a language, with those of `own` (name relative to the folder, path for messages, text)
-    /// put over them. All faults come at once.
-    ///
-    /// # Errors
-    /// Templates that cannot be read, each with its file, line and column.
+    /// put over them. All faults come at once. Errors: templates that cannot be read, each with its file, line and column.
     pub fn new(language: &str, own: &[(String, String, String)]) -> Result<Self, Findings> {
         let mut faults = Findings::default();
         let (mut files, mut all_metered) = (BTreeMap::new(), BTreeMap::new());
@@ -242,9 +244,7 @@ impl Templates {
     }
 
     /// Adds a Markdown template that stands inside another file (a bank), under a name of its own, which is its field there.
-    ///
-    /// # Errors
-    /// It cannot be read.
+    /// Errors: it cannot be read.
     pub fn add_markdown(
         &mut self,
         name: &str,
@@ -267,34 +267,23 @@ impl Templates {
         self.engines[0].1.contains_template(name)
     }
 
-    /// The variables that a template uses at its top level, sorted.
-    ///
-    /// # Errors
-    /// There is none of this name.
+    /// The variables that a template uses at its top level, sorted. Errors: there is none of this name.
     pub fn variables(&self, name: &str) -> Result<Vec<String>, Finding> {
         names_of(self.engine(name), name).map_err(|e| self.fault(&e, name, false))
     }
 
-    /// What a template comes to.
-    ///
-    /// # Errors
-    /// As [`Templates::render`].
+    /// What a template comes to. Errors: as [`Templates::render`].
     pub fn made(&self, name: &str, view: &View) -> Result<Vec<u8>, Finding> {
         let mut out = Vec::new();
         self.render(name, view, &mut out)?;
         Ok(out)
     }
-    /// What a template of Markdown comes to, with one line end at its end.
-    ///
-    /// # Errors
-    /// As [`Templates::render`].
+    /// What a template of Markdown comes to, with one line end at its end. Errors: as [`Templates::render`].
     pub fn markdown(&self, name: &str, view: &View) -> Result<String, Finding> {
         Ok(String::from_utf8_lossy(&self.made(name, view)?).trim_end().to_owned() + "\n")
     }
     /// Appends the text of a template to `out`; its name says which format it is.
-    ///
-    /// # Errors
-    /// A name that the view does not hold, with file, line and column.
+    /// Errors: a name that the view does not hold, with file, line and column.
     pub fn render(&self, name: &str, view: &View, out: &mut Vec<u8>) -> Result<(), Finding> {
         metered::begin(view.size);
         let from = out.len();

@@ -185,7 +185,7 @@ pub fn read(inner: Box<dyn Read + Send>) -> io::Result<Result<Option<Quiz>, Find
     let mut attempts = Vec::new();
     source.each(|record| {
         let text = |i: usize| String::from_utf8_lossy(record.get(i).unwrap_or_default()).into_owned();
-        attempts.extend(reader.attempt(record.line(), &text));
+        attempts.extend(reader.attempt(record.line, &text));
     })?;
     Ok(Ok(Some(Quiz { platform, attempts })))
 }

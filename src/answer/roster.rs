@@ -7,9 +7,7 @@ use std::io::Cursor;
 
 /// Reads a roster: columns `student` and, if there is one, `name`; encodings and delimiters as for submissions.
 /// Gives (id, name) in the order of the file.
-///
-/// # Errors
-/// All faults at once: missing columns, blank and duplicate ids, records that do not fit the header.
+/// Errors: all faults at once: missing columns, blank and duplicate ids, records that do not fit the header.
 pub fn roster(bytes: &[u8]) -> Result<Vec<(String, String)>, Findings> {
     let unread = |fault: std::io::Error| Finding::new("roster", fault.to_string());
     let (mut source, header) = RecordSource::open(Box::new(Cursor::new(bytes.to_vec()))).map_err(unread)?;
@@ -41,14 +39,14 @@ pub fn roster(bytes: &[u8]) -> Result<Vec<(String, String)>, Findings> {
     let mut all: Vec<(String, String)> = Vec::new();
     let mut seen: FxHashMap<String, u64> = FxHashMap::default();
     let read = source.each(|r| {
-        let line = r.line();
+        let line = r.line;
         let raw = |i: usize| String::from_utf8_lossy(r.get(i).unwrap_or_default()).into_owned();
         let text = |i: usize| unguarded(raw(i).trim()).to_owned();
         let empty = |from: usize| (from..r.len()).all(|i| text(i).is_empty());
         if empty(0) {
             return;
         }
-        if r.fault().is_some() {
+        if r.fault.is_some() {
             let odd = Finding::new("record", "bytes that cannot be read").at(place(line), 1);
             findings.push(odd.hint("save the roster as UTF-8"));
             return;
@@ -65,7 +63,7 @@ pub fn roster(bytes: &[u8]) -> Result<Vec<(String, String)>, Findings> {
             findings.push(if hint.is_empty() { odd } else { odd.hint(hint) });
         };
         // A quote that is not closed in its line, where the lines after it look like records: the id was on two lines.
-        let broken = r.quote_left_open() && raw(student).trim_start().starts_with('"');
+        let broken = r.open && raw(student).trim_start().starts_with('"');
         if broken || raw(student).contains(line_break) {
             let what = format!("`{}` has a line break", raw(student).escape_debug());
             refuse(what, "write the id on one line, without a quote that is left open");

@@ -91,32 +91,23 @@ fn walk(
     let delimiter = shape.delimiter;
     let (mut at, mut lines) = (from, 0);
     loop {
-        let mut quote = at;
-        while data.get(quote) == Some(&b' ') {
-            quote += 1;
-        }
-        let (mut end, mut open) = (None, false);
-        if data.get(quote) == Some(&b'"') {
-            if let Some((close, inner)) = closing(data, quote + 1, shape, whole)? {
-                field(FieldSpan { start: quote, end: close, quoted: true, open });
-                lines += inner;
-                end = Some(close);
-            } else {
-                open = true;
+        let blanks = data[at..].iter().take_while(|b| **b == b' ').count();
+        let quote = at + blanks;
+        let is_quoted = data.get(quote) == Some(&b'"');
+        let closed = if is_quoted { closing(data, quote + 1, shape, whole)? } else { None };
+        let end = if let Some((close, inner)) = closed {
+            field(FieldSpan { start: quote, end: close, quoted: true, open: false });
+            lines += inner;
+            close
+        } else {
+            let rest = &data[at..];
+            let stop = memchr::memchr3(delimiter, b'\n', b'\r', rest);
+            if stop.is_none() && !whole {
+                return None;
             }
-        }
-        let end = match end {
-            Some(end) => end,
-            None => {
-                let rest = &data[at..];
-                let stop = memchr::memchr3(delimiter, b'\n', b'\r', rest);
-                if stop.is_none() && !whole {
-                    return None;
-                }
-                let end = at + stop.unwrap_or(rest.len());
-                field(FieldSpan { start: at, end, quoted: false, open });
-                end
-            }
+            let end = at + stop.unwrap_or(rest.len());
+            field(FieldSpan { start: at, end, quoted: false, open: is_quoted });
+            end
         };
         match data.get(end) {
             None if !whole => return None,
@@ -252,12 +243,15 @@ pub struct Batch {
 /// One record: its line and its fields.
 #[derive(Debug, Clone, Copy)]
 pub struct Record<'b> {
-    line: u64,
+    /// Line of the file on which it begins, from 1.
+    pub line: u64,
     /// What the fields are cut from: the record, or all of a simple batch.
     text: &'b [u8],
     ends: &'b [(usize, usize)],
-    fault: Option<RecordFault>,
-    open: bool,
+    /// Why it cannot be read.
+    pub fault: Option<RecordFault>,
+    /// Does a field begin with a quote that is not closed?
+    pub open: bool,
 }
 
 /// What reading records needs, kept from batch to batch.
@@ -279,10 +273,6 @@ pub enum RecordFault {
 }
 
 impl<'b> Record<'b> {
-    /// Line of the file on which it begins, from 1.
-    pub fn line(&self) -> u64 {
-        self.line
-    }
     /// Number of fields.
     pub fn len(&self) -> usize {
         self.ends.len()
@@ -295,14 +285,6 @@ impl<'b> Record<'b> {
     #[inline]
     pub fn get(&self, index: usize) -> Option<&'b [u8]> {
         self.ends.get(index).map(|(a, b)| &self.text[*a..*b])
-    }
-    /// Why it cannot be read.
-    pub fn fault(&self) -> Option<RecordFault> {
-        self.fault
-    }
-    /// Does a field begin with a quote that is not closed?
-    pub fn quote_left_open(&self) -> bool {
-        self.open
     }
     /// The whole record on one line, cut where it is long, to show it.
     pub fn shown(&self, delimiter: u8) -> String {
@@ -399,10 +381,7 @@ impl Batch {
             let end = if mark > start && text[mark - 1] == b'\r' { mark - 1 } else { mark };
             if end > begin {
                 ends.push((start, end));
-                let mut fault = None;
-                if end - begin >= 256 {
-                    self.check(&text[begin..end], ends, &mut fault);
-                }
+                let fault = if end - begin >= 256 { self.check(&text[begin..end], ends) } else { None };
                 each(&Record { line, text, ends, fault, open: false });
             }
             ends.clear();
@@ -431,21 +410,18 @@ impl Batch {
             text.extend_from_slice(&unquoted(raw, span));
             ends.push((start, text.len()));
         });
-        let mut fault = None;
-        self.check(text, ends, &mut fault);
-        (fault, open)
+        (self.check(text, ends), open)
     }
 
-    fn check(&self, text: &[u8], ends: &[(usize, usize)], fault: &mut Option<RecordFault>) {
+    fn check(&self, text: &[u8], ends: &[(usize, usize)]) -> Option<RecordFault> {
         if ends.iter().any(|(a, b)| b - a > FIELD_CAP) {
-            *fault = Some(RecordFault::TooLong);
-        } else if memchr::memchr(0, text).is_some()
+            return Some(RecordFault::TooLong);
+        }
+        let odd = memchr::memchr(0, text).is_some()
             || (self.decoded && memchr::memmem::find(text, "\u{fffd}".as_bytes()).is_some())
             // Windows-1252 leaves five bytes undefined; they come out as controls U+0081..U+009D
-            || text.windows(2).any(|w| w[0] == 0xc2 && matches!(w[1], 0x81 | 0x8d | 0x8f | 0x90 | 0x9d))
-        {
-            *fault = Some(RecordFault::Bytes);
-        }
+            || text.windows(2).any(|w| w[0] == 0xc2 && matches!(w[1], 0x81 | 0x8d | 0x8f | 0x90 | 0x9d));
+        odd.then_some(RecordFault::Bytes)
     }
 }
 
@@ -486,10 +462,7 @@ pub struct Header {
 }
 
 impl RecordSource {
-    /// Begins to read; the header is `None` in a file without any record.
-    ///
-    /// # Errors
-    /// Those of the reader.
+    /// Begins to read; the header is `None` in a file without any record. Errors: those of the reader.
     pub fn open(inner: Box<dyn Read + Send>) -> io::Result<(RecordSource, Option<Header>)> {
         RecordSource::with_block(inner, 192 * 1024)
     }
@@ -636,10 +609,7 @@ impl RecordSource {
         Ok(())
     }
 
-    /// Calls `each` for every record that is left.
-    ///
-    /// # Errors
-    /// Those of the reader.
+    /// Calls `each` for every record that is left. Errors: those of the reader.
     pub fn each(&mut self, mut each: impl FnMut(&Record)) -> io::Result<()> {
         let (mut batch, mut scratch) = (Batch::default(), RecordScratch::default());
         while self.next_batch(&mut batch)? {
@@ -648,10 +618,7 @@ impl RecordSource {
         Ok(())
     }
 
-    /// Puts the next records into `batch`; `false` at the end of the stream.
-    ///
-    /// # Errors
-    /// Those of the reader.
+    /// Puts the next records into `batch`; `false` at the end of the stream. Errors: those of the reader.
     pub fn next_batch(&mut self, batch: &mut Batch) -> io::Result<bool> {
         if !self.skipping && self.decoder.is_none() && self.next_simple(batch)? {
             return Ok(true);
@@ -844,9 +811,7 @@ fn sniff(head: &[u8]) -> u8 {
 pub type Lines = Vec<(u64, Vec<String>)>;
 
 /// All records of some bytes, for small files and tests: (header, records with their lines and fields).
-///
-/// # Errors
-/// Those of the reader.
+/// Errors: those of the reader.
 pub fn all_records(inner: Box<dyn Read + Send>) -> io::Result<(Option<Header>, Lines)> {
     let (mut source, header) = RecordSource::open(inner)?;
     Ok((header, collect(&mut source)?))
@@ -856,7 +821,7 @@ fn collect(source: &mut RecordSource) -> io::Result<Lines> {
     let mut all = Vec::new();
     source.each(|r| {
         let fields = (0..r.len()).map(|i| String::from_utf8_lossy(r.get(i).unwrap_or_default()).into_owned());
-        all.push((r.line(), fields.collect()));
+        all.push((r.line, fields.collect()));
     })?;
     Ok(all)
 }

@@ -16,10 +16,7 @@ const DATES: [(&str, bool); 2] = [("day first", true), ("month first", false)];
 /// Most points of a part.
 const MOST_POINTS: f64 = 1e6;
 
-/// Reads a course file; what it does not name stays as in `base`, the settings of the bank.
-///
-/// # Errors
-/// All that is wrong with it.
+/// Reads a course file; what it does not name stays as in `base`, the settings of the bank. Errors: all that is wrong with it.
 pub fn course(text: &str, file: &str, base: &Policy) -> Result<Policy, Findings> {
     let tree = yaml::tree(text).map_err(|f| f.in_file(file))?;
     let faults = Faults::default();

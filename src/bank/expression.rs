@@ -80,10 +80,6 @@ impl Expression {
         }
         Ok(Self { formula: Formula::new(parser.steps), powers })
     }
-    /// Does it need the solution, or are the data enough?
-    pub fn needs_solution(&self) -> bool {
-        self.quantities().next().is_some()
-    }
     /// The quantities that it names.
     pub fn quantities(&self) -> impl Iterator<Item = Label> {
         self.formula.names().filter_map(|name| match name {

@@ -56,8 +56,9 @@ pub fn put(
     let name = node.text().unwrap_or("").trim();
     let mut uses = Vec::new();
     // A quantity as it stands, or an expression, such as one in quantities of the motion that follows.
-    let expression = labels::named(scene, name).is_err() && name.contains(|c: char| !is_of_name(c))
-        || name.starts_with(OF_NEXT);
+    let operator = |c: char| !(c.is_alphanumeric() || c == '_' || c == '.');
+    let expression =
+        labels::named(scene, name).is_err() && name.contains(operator) || name.starts_with(OF_NEXT);
     if expression {
         uses = asked::measured(node, scene, &AskedContext { data, case: "" }, faults);
     }
@@ -125,9 +126,4 @@ pub fn put(
         uses.push(DatumUse { datum: at, need: *Need::TERM });
     }
     uses
-}
-
-/// May it stand in the name of a quantity, such as `rod.B.v`?
-fn is_of_name(c: char) -> bool {
-    c.is_alphanumeric() || c == '_' || c == '.'
 }

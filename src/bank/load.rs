@@ -25,15 +25,8 @@ fn read(text: &str, file: &str, variables: Option<Variables>) -> Result<Bank, Fi
     Ok(bank)
 }
 
-/// Reads the tree of a bank without looking into its templates.
-///
-/// # Errors
-/// All that is wrong with it.
-pub fn of_tree(tree: &Node, file: &str) -> Result<Bank, Findings> {
-    checked(tree, file, None)
-}
-
-fn checked(tree: &Node, file: &str, variables: Option<Variables>) -> Result<Bank, Findings> {
+/// Reads the tree of a bank, with a look into its templates where it can tell their variables. Errors: all that is wrong with it.
+pub fn checked(tree: &Node, file: &str, variables: Option<Variables>) -> Result<Bank, Findings> {
     let faults = Faults::default();
     match schema::bank(tree, variables, &faults) {
         Some(bank) if faults.is_empty() => Ok(bank),
@@ -80,10 +73,7 @@ pub fn hash(text: &str) -> String {
     hex(&Sha256::digest(text.as_bytes()))
 }
 
-/// SHA-256 of a file, hex, read in a stream.
-///
-/// # Errors
-/// Reading fails.
+/// SHA-256 of a file, hex, read in a stream. Errors: reading fails.
 pub fn hash_of(mut source: impl io::Read) -> io::Result<String> {
     let (mut hash, mut piece) = (Sha256::new(), vec![0; 1 << 16]);
     loop {

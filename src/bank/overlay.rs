@@ -7,9 +7,7 @@ use crate::units::spell;
 /// Puts the texts of an overlay over those of a bank. With a `reference`, the bank that the overlay was written for, only
 /// texts that are still what they are there are replaced, and ids that this bank does not have are passed over: a changed
 /// question is never shown as the old one.
-///
-/// # Errors
-/// Ids that the bank does not have, fields that are unknown, texts that are none, templates with unknown names.
+/// Errors: ids that the bank does not have, fields that are unknown, texts that are none, templates with unknown names.
 pub fn put_over(
     bank: &mut Bank,
     text: &str,
@@ -98,8 +96,8 @@ fn problem(this: &mut Problem, node: &Node, variables: Variables, was: Option<&P
     if let Some(node) = statement {
         if was.is_none() {
             // What is looked for is not given.
-            let given = given_in(this);
-            let given: Vec<&str> = given.iter().map(String::as_str).collect();
+            let given = this.data.iter().filter(|d| d.unknown.is_none());
+            let given: Vec<&str> = given.map(|d| d.symbol.as_str()).collect();
             soundness::template(node, true, &given, variables, faults);
         }
         if let Some(text) = words(node, faults)
@@ -108,11 +106,6 @@ fn problem(this: &mut Problem, node: &Node, variables: Variables, was: Option<&P
             this.statement = Some(text);
         }
     }
-}
-
-/// The symbols that a statement gives: all but what is looked for.
-fn given_in(problem: &Problem) -> Vec<String> {
-    problem.data.iter().filter(|d| d.unknown.is_none()).map(|d| d.symbol.clone()).collect()
 }
 
 fn words(node: &Node, faults: &Faults) -> Option<String> {

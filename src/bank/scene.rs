@@ -405,16 +405,7 @@ impl SceneReader<'_> {
 
     fn body(&self, name: &str, node: &Node, surfaces: &[NamedSurface]) -> Body {
         let f = self.faults;
-        let mut body = Body {
-            name: name.to_owned(),
-            mass: Mass::OfParts,
-            inertia: None,
-            radii_m: Vec::new(),
-            line: None,
-            turns: false,
-            particles: Vec::new(),
-            planar: None,
-        };
+        let mut body = Body { name: name.to_owned(), ..Body::default() };
         let Some(mut fields) = Fields::open(node, "a body (mass, moves, ...)", f) else { return body };
         if let Some(particles) = fields.get("particles") {
             body.turns = true;

@@ -305,17 +305,7 @@ fn problem(
     }
     if WHOLE {
         read.review(&cases);
-        let instant = |case: &CaseRead| {
-            let scene = case.read.as_ref().and_then(|read| read.scene.as_ref());
-            let declared = !case.regimes.is_empty() && !case.regimes.iter().any(|r| r == "instant");
-            declared && scene.is_some_and(|scene| scene.end == End::AtOnce)
-        };
-        if let Some(n) = node.field("regimes").filter(|_| cases.iter().any(instant)) {
-            let hint = "leave `regimes` out, or end the motion after a time";
-            faults.hint(n, "with `end: at once` nothing moves or stays: it has no such regime", hint);
-        }
     }
-
     // Questions and bounds are read against each scene, since labels hold the index of a body.
     let scenes: Vec<(&str, &Scene)> =
         cases.iter().filter_map(|c| Some((c.name.as_str(), c.read.as_ref()?.scene.as_ref()?))).collect();
@@ -350,10 +340,7 @@ fn problem(
         soundness::templates(statement_node, questions_node, &names, variables, faults);
     }
     let span = span(&asked, &scenes);
-    for scene in mistakes.iter_mut().flat_map(|m| &mut m.scenes).flatten() {
-        scene.look(span);
-        scene.formulas.settle(&|i| data.get(i).is_some_and(|d| d.degrees));
-    }
+    settle(mistakes.iter_mut().flat_map(|m| &mut m.scenes).flatten(), span, &data);
     let finished = |case: CaseRead| case.finished(bounds_node, &data, common.gravity.0, span, faults);
     let cases: Vec<Case> = cases.into_iter().filter_map(finished).collect();
     let title = title?;
@@ -371,6 +358,14 @@ fn problem(
         follows,
         margins,
     })
+}
+
+/// Tells scenes how far they are looked at, and which data are in degrees.
+fn settle<'s>(scenes: impl Iterator<Item = &'s mut Scene>, span: Span, data: &[Datum]) {
+    for scene in scenes {
+        scene.look(span);
+        scene.formulas.settle(&|i| data.get(i).is_some_and(|d| d.degrees));
+    }
 }
 
 /// How far conditions of validity are checked: some quantities lie beyond the end of the motion, at the turning point, and where one
@@ -550,6 +545,15 @@ impl<'n> ProblemRead<'n> {
                 soundness::inertia_where_slipping(scene, &draws, case.node, self.faults);
             }
         }
+        let instant = |case: &CaseRead| {
+            let scene = case.read.as_ref().and_then(|read| read.scene.as_ref());
+            let declared = !case.regimes.is_empty() && !case.regimes.iter().any(|r| r == "instant");
+            declared && scene.is_some_and(|scene| scene.end == End::AtOnce)
+        };
+        if let Some(n) = self.node.field("regimes").filter(|_| cases.iter().any(instant)) {
+            let hint = "leave `regimes` out, or end the motion after a time";
+            self.faults.hint(n, "with `end: at once` nothing moves or stays: it has no such regime", hint);
+        }
     }
 
     /// The data, g last. What some scene takes in degrees goes to it so, all else in SI.
@@ -680,10 +684,7 @@ impl CaseRead<'_> {
         let SceneRead { scene, touches, .. } = self.read?;
         let gravity = Draw::Always { value: gravity.value, decimals: gravity.decimals };
         let (mut scene, mut rivals) = (scene?, self.rivals);
-        for scene in rivals.iter_mut().chain([&mut scene]) {
-            scene.look(span);
-            scene.formulas.settle(&|i| data.get(i).is_some_and(|d| d.degrees));
-        }
+        settle(rivals.iter_mut().chain([&mut scene]), span, data);
         Some(Case {
             name: self.name,
             written: self.written,

@@ -194,9 +194,7 @@ impl Export<'_> {
     }
 
     /// The file that is uploaded, of all fragments in the order of the set. Equal data of one problem are one question.
-    ///
-    /// # Errors
-    /// The archive would be too large.
+    /// Errors: the archive would be too large.
     pub fn file(&self, mut fragments: Vec<Fragment>) -> Result<ExportedFile, Findings> {
         let mut seen = rustc_hash::FxHashSet::default();
         fragments.retain(|f| seen.insert((f.problem, f.code.clone())));

@@ -28,15 +28,10 @@ pub fn outline(board: &mut Board, p: &Placed) {
     }
 }
 
-/// Radius of the ends of a link that is drawn so wide round its mass centre.
-pub fn end_of_link(round: f64) -> f64 {
-    (round * 0.3).clamp(9.0, 16.0)
-}
-
 /// A body of which nothing is known but its mass centre, how far from it the mass lies and two points on a line with it at most: the
 /// hull of a circle and of small ones about these points.
 pub fn round_link(board: &mut Board, (centre, round): (Vec2, f64), points: &[Vec2], role: Role) {
-    let small = end_of_link(round);
+    let small = (round * 0.3).clamp(9.0, 16.0);
     let end = |point: &Vec2| {
         let off = point - centre;
         // Tangents touch both circles at this angle from the line.

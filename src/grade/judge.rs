@@ -115,7 +115,7 @@ impl<'w> Judge<'w> {
         }
         let mut judgement = self.job.judged((who, what), cell.answer, numbers);
         if judgement.verdict == Verdict::Unreadable
-            && record.quote_left_open()
+            && record.open
             && cell.answer.trim_ascii_start().starts_with(b"\"")
         {
             judgement.reason = open_quote(cell.line, say);

@@ -49,7 +49,7 @@ impl FileLayout {
     #[inline]
     pub fn line(&self, record: &Record) -> u64 {
         let told = self.told_line.and_then(|at| std::str::from_utf8(record.get(at)?).ok()?.parse().ok());
-        told.unwrap_or_else(|| record.line())
+        told.unwrap_or(record.line)
     }
 }
 
@@ -61,7 +61,7 @@ pub(crate) enum RecordKind {
 }
 
 pub(crate) fn kind_of_record(record: &Record, layout: &FileLayout, say: &Feedback) -> RecordKind {
-    match record.fault() {
+    match record.fault {
         Some(RecordFault::Bytes) => return RecordKind::Unreadable(say.get("feedback.bytes").to_owned()),
         Some(RecordFault::TooLong) => {
             return RecordKind::Unreadable(say.get("feedback.long_field").to_owned());
@@ -96,8 +96,8 @@ pub(crate) fn kind_of_record(record: &Record, layout: &FileLayout, say: &Feedbac
     }
     let pieces = [("n", &*n.to_string()), ("width", &*layout.width.to_string())];
     let mut count = say.fill("feedback.fields", &pieces).into_owned();
-    if record.quote_left_open() {
-        count.push_str(&format!(": {}", open_quote(record.line(), say)));
+    if record.open {
+        count.push_str(&format!(": {}", open_quote(record.line, say)));
     }
     if let Some(said) = split {
         return RecordKind::Unreadable(format!("{count}: {said}"));

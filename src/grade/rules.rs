@@ -21,9 +21,7 @@ pub struct Rules<'p> {
 
 impl<'p> Rules<'p> {
     /// Resolves settings; the points of the table are those of the course already ([`KeyTable::take_points`]).
-    ///
-    /// # Errors
-    /// Parts, methods or students that the set does not have.
+    /// Errors: parts, methods or students that the set does not have.
     pub fn new(table: &KeyTable, policy: &'p Policy) -> Result<Self, Findings> {
         let mut faults = Findings::default();
         let named = |part: &PolicyPart, field: &str, faults: &mut Findings| {

@@ -181,9 +181,7 @@ fn need_unread_setting(open: Open<'_>, job: &GradingJob, winners: &[Winner]) -> 
 
 /// Grades a file of submissions. `open` is called for each walk and must give the same bytes; `out` receives answers.csv;
 /// `progress` hears the bytes read so far and how often the file will be read.
-///
-/// # Errors
-/// A header that does not do, or reading and writing that fail.
+/// Errors: a header that does not do, or reading and writing that fail.
 pub fn grade(
     open: Open<'_>,
     table: &KeyTable,

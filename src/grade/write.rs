@@ -136,11 +136,11 @@ impl<'w> RowWriter<'w> {
             FileForm::Long { answer, .. } => *answer,
             FileForm::Wide(_) => usize::MAX,
         };
-        let bytes = record.fault() == Some(RecordFault::Bytes);
+        let bytes = record.fault == Some(RecordFault::Bytes);
         let field = |i: usize| -> &'r [u8] {
             let text = trimmed(record.get(i).unwrap_or_default());
             let in_place = i < before_answer || (bytes && record.len() == layout.width);
-            let fits = record.fault().is_none() || (bytes && clean(text));
+            let fits = record.fault.is_none() || (bytes && clean(text));
             if fits && in_place { text } else { b"" }
         };
         let student = field(layout.student);
@@ -158,7 +158,7 @@ impl<'w> RowWriter<'w> {
             }
         }
         AnswerRow {
-            line: record.line(),
+            line: record.line,
             student: lossy(student),
             problem: of_problem,
             part: of_part,

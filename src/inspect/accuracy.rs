@@ -391,18 +391,18 @@ impl StudySheet<'_> {
         let plot = self.tolerance_plot().map_or_else(String::new, |f| f.svg());
         view.text("tolerance_plot", &plot);
         let text = |t: &str| template::finished(&escaped(t));
-        view.value("head", template::list(self.head().iter().map(|t| text(t)).collect()));
+        view.value("head", template::list(self.head().iter().map(|t| text(t))));
         let mut before = None;
         let rows = self.lines.iter().map(|line| {
             let method = line.row.rung.method();
             let first = (before.replace(method) != Some(method)).then_some("first");
             let kind = if line.row.found.is_err() { Some("refused") } else { line.best.then_some("best") };
             let style: Vec<&str> = [first, kind].into_iter().flatten().collect();
-            let cells = self.cells(line).iter().map(|t| text(t)).collect();
-            template::map([("style", text(&style.join(" "))), ("cells", template::list(cells))])
+            let cells = template::list(self.cells(line).iter().map(|t| text(t)));
+            template::map([("style", text(&style.join(" "))), ("cells", cells)])
         });
-        view.value("rows", template::list(rows.collect()));
-        view.value("notes", template::list(self.refusals().iter().map(|t| text(t)).collect()));
+        view.value("rows", template::list(rows));
+        view.value("notes", template::list(self.refusals().iter().map(|t| text(t))));
         let out = Templates::english().made("accuracy.html", &view)?;
         Ok(String::from_utf8(out).unwrap_or_default())
     }

@@ -16,10 +16,16 @@ use crate::solve::ladder::{self, Force, Taken};
 use crate::solve::method::{Method, Rung};
 use crate::solve::outcome::{Check, CheckKind, Refusal, Regime};
 use crate::words::Words;
+use std::fmt::Display;
 
 /// Five significant figures, for people.
 pub fn figures(value: f64) -> String {
     rounded(value, 5)
+}
+
+/// The id of a body.
+fn id(scene: &Scene, index: usize) -> &str {
+    scene.bodies.get(index).map_or("?", |b| b.name.as_str())
 }
 
 /// What stands behind `the`: the id of a body where it is a word, `body B` where it is not.
@@ -38,8 +44,11 @@ fn of_tie(scene: &Scene, index: usize) -> String {
 }
 
 /// A sentence of `templates/sentences.yaml` with its places filled in.
-fn say(name: &str, pieces: &[(&str, &str)]) -> String {
-    Words::sentences().say(&format!("sentences.{name}"), pieces)
+fn say(name: &str, pieces: &[(&str, &dyn Display)]) -> String {
+    let pieces: Vec<(&str, String)> =
+        pieces.iter().map(|(place, piece)| (*place, piece.to_string())).collect();
+    let pieces: Vec<(&str, &str)> = pieces.iter().map(|(place, text)| (*place, text.as_str())).collect();
+    Words::sentences().say(&format!("sentences.{name}"), &pieces)
 }
 
 /// How far a condition looks, where the forces change on the way.
@@ -113,19 +122,18 @@ pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
     let ratio = if c.available == 0.0 { 0.0 } else { c.available / c.required };
     let held = joint.and_then(|j| j.kind.spots().next()).map_or(0, |spot| spot.body);
     // A condition is about a tie or about a body; what is not meant is not told.
-    let pieces = [
-        ("tie", of_tie(scene, c.of)),
-        ("body", body(scene, c.of)),
-        ("of", body(scene, held)),
-        ("name", joint.map_or("?", |j| j.name.as_str()).to_owned()),
-        ("strut", scene.struts.get(c.of).map_or("?", |s| s.name.as_str()).to_owned()),
-        ("looks", looks(scene, all)),
-        ("required", figures(c.required)),
-        ("available", figures(c.available)),
-        ("ratio", figures(ratio)),
-        ("unit", c.kind.unit(scene).to_owned()),
+    let pieces: [(&str, &dyn Display); 10] = [
+        ("tie", &of_tie(scene, c.of)),
+        ("body", &body(scene, c.of)),
+        ("of", &body(scene, held)),
+        ("name", &joint.map_or("?", |j| j.name.as_str())),
+        ("strut", &scene.struts.get(c.of).map_or("?", |s| s.name.as_str())),
+        ("looks", &looks(scene, all)),
+        ("required", &figures(c.required)),
+        ("available", &figures(c.available)),
+        ("ratio", &figures(ratio)),
+        ("unit", &c.kind.unit(scene)),
     ];
-    let pieces = pieces.each_ref().map(|(name, text)| (*name, text.as_str()));
     say(&format!("check.{}.{how}", c.kind.name()), &pieces)
 }
 
@@ -172,15 +180,13 @@ fn reaches(scene: &Scene, c: &Check) -> String {
         true => "then.next",
         false => "then.grows",
     };
-    let name = scene.bodies.get(c.of).map_or("?", |b| b.name.as_str());
-    let (required, available) = (figures(c.required), figures(c.available));
-    let pieces = [
-        ("joint", joint),
-        ("required", &required),
-        ("available", &available),
+    let pieces: [(&str, &dyn Display); 6] = [
+        ("joint", &joint),
+        ("required", &figures(c.required)),
+        ("available", &figures(c.available)),
         ("way", &figures(-c.required)),
-        ("unit", scene.measure()),
-        ("then", &say(then, &[("name", name)])),
+        ("unit", &scene.measure()),
+        ("then", &say(then, &[("name", &id(scene, c.of))])),
     ];
     say(&format!("reaches.{how}"), &pieces)
 }
@@ -197,15 +203,12 @@ pub fn why(taken: &Taken) -> String {
     let Some(asked) = taken.asked.filter(|_| !taken.errors.is_empty()) else { return text };
     match taken.rung.requested() {
         Some(rtol) if rtol > asked => {
-            text.push_str(&format!(
-                "; the tolerance {asked:e} was raised to {rtol:e}, below which a step shows only rounding"
-            ));
+            let (asked, rtol) = (format!("{asked:e}"), format!("{rtol:e}"));
+            text.push_str(&say("why.raised", &[("asked", &asked), ("rtol", &rtol)]));
         }
         None if taken.worst > asked => {
-            text.push_str(&format!(
-                "; the tolerance {asked:e} is not met: {:.1e} is the estimate, most of it rounding",
-                taken.worst
-            ));
+            let (asked, worst) = (format!("{asked:e}"), format!("{:.1e}", taken.worst));
+            text.push_str(&say("why.not_met", &[("asked", &asked), ("worst", &worst)]));
         }
         _ => {}
     }
@@ -290,7 +293,7 @@ fn trouble(trouble: &Trouble) -> String {
 /// A velocity in words, such as "the spin of `drum`".
 fn velocity(scene: &Scene, of: Coordinate) -> String {
     let what = if of.degree == Degree::Along { "speed" } else { "spin" };
-    format!("the {what} of `{}`", scene.bodies.get(of.body).map_or("?", |b| b.name.as_str()))
+    format!("the {what} of `{}`", id(scene, of.body))
 }
 
 /// A place of the plane.
@@ -311,13 +314,9 @@ pub fn sides(scene: &Scene, data: &[f64]) -> Vec<String> {
     let numbers = Numbers::<Fast>::new(scene, data);
     let choices = Layout::new(scene, &numbers).map(|layout| layout.choices());
     let told = |Choice { at, here, there, .. }: Choice| {
-        let body = scene.bodies.get(at.body).map_or("?", |b| &b.name);
-        format!(
-            "`{body}`: `{}` lies at {}; `side: behind` puts it at {} (`side: ahead` says that it is meant so)",
-            point(scene, at),
-            at_place(here, there),
-            at_place(there, here)
-        )
+        let (here, there) = (at_place(here, there), at_place(there, here));
+        let (body, point) = (id(scene, at.body), point(scene, at));
+        say("side", &[("body", &body), ("point", &point), ("here", &here), ("there", &there)])
     };
     choices.into_iter().flatten().map(told).collect()
 }
@@ -330,10 +329,7 @@ pub fn hidden(scene: &Scene) -> Vec<String> {
         let hides = Quantity::from_name(&answer.id).is_some() && answer.text.trim() != answer.id;
         let uses = |other: &&Asked| other.text.split(word).any(|name| name == answer.id);
         let other = asked.iter().skip(i + 1).find(uses).filter(|_| hides)?;
-        Some(format!(
-            "`{}` in `{}` is the answer to the question of that name, not the quantity; another id leaves the quantity its name",
-            answer.id, other.id
-        ))
+        Some(say("hidden", &[("id", &answer.id), ("other", &other.id)]))
     });
     told.collect()
 }
@@ -344,12 +340,8 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
         Refusal::Inadmissible(faults) => faults.iter().map(|f| inadmissible(problem, scene, f)).collect(),
         Refusal::NextInadmissible(faults) => {
             let next = scene.formulas.others.iter().find(|(how, _)| *how == AsIf::Next);
-            let told = |f| {
-                let why = inadmissible(problem, next.map_or(scene, |(_, next)| next), f);
-                format!(
-                    "in the motion that follows {why} (places, angles and times count from the start of the whole)"
-                )
-            };
+            let next = next.map_or(scene, |(_, next)| next);
+            let told = |f| say("refused.next", &[("why", &inadmissible(problem, next, f))]);
             faults.iter().map(told).collect()
         }
         one => vec![refused(problem, scene, one)],
@@ -363,23 +355,14 @@ fn not_found(problem: &Problem, scene: &Scene, why: &Refusal) -> String {
         datum.map_or_else(|| "a datum".to_owned(), |d| format!("`{}`", d.symbol))
     };
     let (unknown, measured) = (symbol(|f| f.unknown.datum), symbol(|f| f.measured.datum));
+    let both: [(&str, &dyn Display); 2] = [("unknown", &unknown), ("measured", &measured)];
     match why {
-        Refusal::NotFound => format!(
-            "no value of {unknown} in its range gives the measured {measured}; one with which the motion only just gets there, or a contact only just holds on the way, is not found"
-        ),
+        Refusal::NotFound => say("not_found.none", &both),
         Refusal::NotUnique(Some(value)) => {
-            let (lacks, has) = match scene.end {
-                End::AtOnce => ("the bodies do not hold or move as declared", "they do"),
-                _ => ("the motion does not get there", "it does"),
-            };
-            let value = in_unit(problem, scene, *value);
-            format!(
-                "in a part of the range of {unknown} there is no {measured} to measure: with {value}, say, {lacks}; narrow `unknown:` to the values with which {has}"
-            )
+            let name = if scene.end == End::AtOnce { "not_found.not_held" } else { "not_found.not_reached" };
+            say(name, &[both[0], both[1], ("value", &in_unit(problem, scene, *value))])
         }
-        _ => format!(
-            "it cannot be shown that only one value of {unknown} in its range gives the measured {measured}; narrow `unknown:`, or measure a speed at a place, not where it turns nor after friction in a guide"
-        ),
+        _ => say("not_found.several", &both),
     }
 }
 
@@ -394,40 +377,33 @@ fn in_unit(problem: &Problem, scene: &Scene, value: f64) -> String {
 
 /// Why an integral over a motion has no value.
 fn unsettled(scene: &Scene, Unsettled { value, gap }: &Unsettled) -> String {
-    let sprung = !scene.struts.is_empty();
-    let spring =
-        if sprung { ", or a spring passes its anchor, where its force has no direction" } else { "" };
-    if value.is_finite() && gap.is_finite() {
-        format!(
-            "an integral over the motion does not settle: a part of it is {value:e}, and halving its panels still changes that by {gap:e}; the motion all but stops before its end{spring}. No answer is given."
-        )
-    } else {
-        format!(
-            "an integral over the motion has no value: the motion stops before its end{spring}. No answer is given."
-        )
-    }
+    let spring = if scene.struts.is_empty() { String::new() } else { say("unsettled.spring", &[]) };
+    let name = if value.is_finite() && gap.is_finite() { "unsettled.slow" } else { "unsettled.stops" };
+    let (value, gap) = (format!("{value:e}"), format!("{gap:e}"));
+    say(name, &[("value", &value), ("gap", &gap), ("spring", &spring)])
 }
 
 /// A refusal of one sentence.
 fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
+    let power = |x: &f64| format!("{x:e}");
     match refusal {
         // Those are several sentences.
         Refusal::Inadmissible(_) | Refusal::NextInadmissible(_) => String::new(),
         Refusal::Singular { unknowns, rank } => {
             let nothing = Mass::Kilograms(Num::Fixed(0.0));
             let light = scene.bodies.iter().any(|b| b.planar.is_some() && b.mass == nothing);
-            let why =
-                if light { "; what has a mass of 0 needs a body with mass that moves with it" } else { "" };
-            format!("the equations do not determine the motion: {unknowns} unknowns, rank {rank}{why}")
+            let name = if light { "refused.singular_light" } else { "refused.singular" };
+            say(name, &[("unknowns", unknowns), ("rank", rank)])
         }
         Refusal::NotFound | Refusal::NotUnique(_) => not_found(problem, scene, refusal),
-        Refusal::Freedoms(0) if !scene.joints.is_empty() => {
-            "the joints leave nothing free to move: a motion needs one freedom".to_owned()
+        Refusal::Freedoms(n) => {
+            let name = match n {
+                _ if scene.joints.is_empty() => "of_ties",
+                0 => "none",
+                _ => "of_joints",
+            };
+            say(&format!("refused.freedoms.{name}"), &[("n", n)])
         }
-        Refusal::Freedoms(n) if !scene.joints.is_empty() => format!(
-            "the joints leave {n} freedoms: a motion needs one, or `end: at once` from rest, where each body may have its `angle` and \
-             be `placed:`"
-        ),
         Refusal::Unplaced(_)
         | Refusal::IdleSide { .. }
         | Refusal::Unbridged { .. }
@@ -435,57 +411,54 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
         | Refusal::Crossed(_)
         | Refusal::Parted { .. }
         | Refusal::Moved { .. } => misplaced(scene, refusal),
-        Refusal::Freedoms(n) => {
-            format!("the ties leave {n} freedoms; the program solves one, or two where something slips")
-        }
-        Refusal::Open(of) => format!(
-            "the start leaves {} open: neither the speeds that are given nor the ties determine it",
-            velocity(scene, *of)
-        ),
+        Refusal::Open(of) => say("refused.open", &[("of", &velocity(scene, *of))]),
         Refusal::Contradiction { of, given, follows } => {
-            let unit = given::speed_unit(of.degree);
-            format!(
-                "the start contradicts the ties: it gives {} as {} {unit}, but {} {unit} follows from the ties and the rest of \
-                 the start",
-                velocity(scene, *of),
-                rounded(*given, 5),
-                rounded(*follows, 5)
-            )
+            let pieces: [(&str, &dyn Display); 4] = [
+                ("of", &velocity(scene, *of)),
+                ("given", &figures(*given)),
+                ("follows", &figures(*follows)),
+                ("unit", &given::speed_unit(of.degree)),
+            ];
+            say("refused.contradiction", &pieces)
         }
         Refusal::Unsupported(what) => say(&format!("unsupported.{what:?}"), &[]),
         Refusal::Trouble { method, trouble: why } => format!("{}: {}", method.name(), trouble(why)),
-        Refusal::Unsteady { method, label, value, finer } => format!(
-            "{} does not settle on {}: {value:e}, and {finer:e} when set finer; take a smaller step or tolerance",
-            method.name(),
-            scene.name_of(*label)
-        ),
-        Refusal::Contradicts { method, label, value, judge, allowed } => format!(
-            "{} and {} disagree on {}: {value:e} against {judge:e}; only {} would lie within both error estimates. Nothing is published.",
-            method.name(),
-            if *method == Method::Gauss { "the equations of motion" } else { "work and energy" },
-            scene.name_of(*label),
-            rounded(*allowed, 2)
-        ),
-        Refusal::Unmet { method, points, error, asked } => format!(
-            "{} does not get there: with {points} points its estimated error is {error:.1e} of an answer, above {asked:.1e}; auto finds what does",
-            method.name()
-        ),
-        Refusal::Apart => {
-            "the data lie so many powers of ten apart that products of them leave the double-precision numbers, in whatever units they are computed. No answer is given."
-                .to_owned()
+        Refusal::Unsteady { method, label, value, finer } => {
+            let (method, label) = (method.name(), scene.name_of(*label));
+            let (value, finer) = (power(value), power(finer));
+            say(
+                "refused.unsteady",
+                &[("method", &method), ("label", &label), ("value", &value), ("finer", &finer)],
+            )
         }
-        Refusal::NoMethod { method } => {
-            format!("{} does not apply to this scene; auto finds what does", method.name())
+        Refusal::Contradicts { method, label, value, judge, allowed } => {
+            let by = if *method == Method::Gauss { "the equations of motion" } else { "work and energy" };
+            let pieces: [(&str, &dyn Display); 6] = [
+                ("method", &method.name()),
+                ("by", &by),
+                ("label", &scene.name_of(*label)),
+                ("value", &power(value)),
+                ("judge", &power(judge)),
+                ("allowed", &rounded(*allowed, 2)),
+            ];
+            say("refused.contradicts", &pieces)
         }
+        Refusal::Unmet { method, points, error, asked } => {
+            let (method, error, asked) = (method.name(), format!("{error:.1e}"), format!("{asked:.1e}"));
+            say(
+                "refused.unmet",
+                &[("method", &method), ("points", points), ("error", &error), ("asked", &asked)],
+            )
+        }
+        Refusal::Apart => say("refused.apart", &[]),
+        Refusal::NoMethod { method } => say("refused.no_method", &[("method", &method.name())]),
         Refusal::Unsettled(why) => unsettled(scene, why),
-        Refusal::Disagree { label, eom, energy, allowed } if *allowed < 1.0 => format!(
-            "the equations of motion and work and energy disagree on {}: {eom:e} against {energy:e}; a relative gap of {allowed:.1e} would be accepted. No key is published.",
-            scene.name_of(*label)
-        ),
-        Refusal::Disagree { label, eom, energy, .. } => format!(
-            "the equations of motion and work and energy disagree on {}: {eom:e} against {energy:e}; the last digits of the data decide it, and no digit of it is the same in both. No key is published.",
-            scene.name_of(*label)
-        ),
+        Refusal::Disagree { label, eom, energy, allowed } => {
+            let name = if *allowed < 1.0 { "refused.disagree" } else { "refused.last_digits" };
+            let (eom, energy, allowed) = (power(eom), power(energy), format!("{allowed:.1e}"));
+            let label = scene.name_of(*label);
+            say(name, &[("label", &label), ("eom", &eom), ("energy", &energy), ("allowed", &allowed)])
+        }
     }
 }
 
@@ -501,94 +474,50 @@ fn hangs_at_its_pulley(scene: &Scene, body: usize) -> bool {
 
 /// Why joined bodies are not put where the joints and the data say.
 fn misplaced(scene: &Scene, refusal: &Refusal) -> String {
-    let name = |body: usize| scene.bodies.get(body).map_or("?", |b| b.name.as_str());
-    let when = |at_start| if at_start { "at the start" } else { "on the way" };
+    let when = |at_start: &bool| if *at_start { "at the start" } else { "on the way" };
     match refusal {
-        Refusal::Unplaced(index) if scene.is_still() && scene.starts_from_rest() => format!(
-            "nothing says where `{}` is: no joint puts it beside what has a place; give it `placed: [x, y]`, where its axis begins{}",
-            name(*index),
-            match scene.planar(*index) {
-                Some(Planar { start_deg: None, .. }) if scene.bodies[*index].turns => {
-                    ", and its `angle` under `start:`"
-                }
-                _ => "",
-            }
-        ),
-        Refusal::Unplaced(index) if hangs_at_its_pulley(scene, *index) => format!(
-            "`{0}` hangs on a cord that comes from another body over a pulley, and starts at that pulley, from where it could go either way; \
-             let `{0}` be `placed:` beside the pulley",
-            name(*index)
-        ),
-        Refusal::Unplaced(index) => format!(
-            "the joints do not place `{}` on the way: a body is placed that leads, is welded, or is pinned or hinged to what has a \
-             place and either guided at another point, by a cord or a light rod too, or by a slot of it, or hinged there to a second such \
-             body; one that does not turn moves in a bed and by a slot, by a wheel that rolls on it, or by a cord that comes from another \
-             body over a pulley, and is then `placed:` at the start; a wheel that an arm carries about the axis of a cylinder `meshes` with it",
-            name(*index)
-        ),
-        Refusal::IdleSide { body, with } => {
-            let why = with.map_or_else(
-                || "decides nothing: there is one place for it; take it away".to_owned(),
-                |with| {
-                    format!(
-                        "contradicts that in `{}`: the two are placed together; write it in one of them",
-                        name(with)
-                    )
-                },
-            );
-            format!("`side:` in `{}` {why}", name(*body))
+        Refusal::Unplaced(index) => {
+            let open = matches!(scene.planar(*index), Some(Planar { start_deg: None, .. }));
+            let name = match scene.is_still() && scene.starts_from_rest() {
+                true if open && scene.bodies[*index].turns => "turns",
+                true => "at_once",
+                false if hangs_at_its_pulley(scene, *index) => "at_its_pulley",
+                false => "on_the_way",
+            };
+            say(&format!("refused.unplaced.{name}"), &[("body", &id(scene, *index))])
+        }
+        Refusal::IdleSide { body, with: None } => say("refused.idle_side", &[("body", &id(scene, *body))]),
+        Refusal::IdleSide { body, with: Some(with) } => {
+            say("refused.other_side", &[("body", &id(scene, *body)), ("with", &id(scene, *with))])
         }
         Refusal::Unbridged { gap: Gap { body, other, apart_m, bridged_m }, at_start } => {
-            let (with, it, bridge) = match other {
-                Some(other) => (format!(" and `{}`", name(*other)), "them", "they bridge"),
-                None => (String::new(), "it", "it bridges"),
-            };
-            format!(
-                "`{}`{with} cannot be put in place {}: what holds {it} is {} m apart, and {bridge} at {} {} m; change the lengths, \
-                 the angle at the start, or the places of the joints",
-                name(*body),
-                when(*at_start),
-                figures(*apart_m),
-                if apart_m > bridged_m { "most" } else { "least" },
-                figures(*bridged_m)
-            )
+            let pieces: [(&str, &dyn Display); 6] = [
+                ("body", &id(scene, *body)),
+                ("other", &other.map_or("", |other| id(scene, other))),
+                ("when", &when(at_start)),
+                ("apart", &figures(*apart_m)),
+                ("most", &if apart_m > bridged_m { "most" } else { "least" }),
+                ("bridged", &figures(*bridged_m)),
+            ];
+            say(if other.is_some() { "refused.unbridged_two" } else { "refused.unbridged" }, &pieces)
         }
-        Refusal::Tilted { body, given_deg, follows_deg } => format!(
-            "the start contradicts the joints: it gives the angle of `{}` as {} deg, and they put it at {} deg; leave that angle out \
-             (of two places `side:` says which is meant)",
-            name(*body),
-            figures(*given_deg),
-            figures(*follows_deg)
-        ),
-        Refusal::Crossed(Choice { at, here, there, .. }) => format!(
-            "the links at `{}` are a parallelogram, with equal opposite sides, and would lie crossed, with that point at {}; write \
-             `side: behind` in `{}` for the parallelogram, with it at {}, or `side: ahead` for the crossed linkage",
-            point(scene, *at),
-            at_place(*here, *there),
-            name(at.body),
-            at_place(*there, *here)
-        ),
+        Refusal::Tilted { body, given_deg, follows_deg } => {
+            let (given, follows) = (figures(*given_deg), figures(*follows_deg));
+            say("refused.tilted", &[("body", &id(scene, *body)), ("given", &given), ("follows", &follows)])
+        }
+        Refusal::Crossed(Choice { at, here, there, .. }) => {
+            let (here, there) = (at_place(*here, *there), at_place(*there, *here));
+            let (body, point) = (id(scene, at.body), point(scene, *at));
+            say("refused.crossed", &[("body", &body), ("point", &point), ("here", &here), ("there", &there)])
+        }
         Refusal::Parted { joint, off_m, at_start } => {
-            let name = scene.joints.get(*joint).map_or("?", |j| j.name.as_str());
-            let when = when(*at_start);
-            if off_m.is_nan() {
-                return format!(
-                    "nothing says {when} which way a body at the joint `{name}` lies: two places that give it its direction are one, \
-                     such as the point in a slot at the pin of the arm; change the lengths or the angle at the start"
-                );
-            }
-            format!(
-                "the joint `{name}` cannot be met {when}: where the other joints and the data put the bodies, it is {} m off; \
-                 change the lengths, the angle at the start, `placed:`, or the place of the joint",
-                figures(*off_m)
-            )
+            let joint = scene.joints.get(*joint).map_or("?", |j| j.name.as_str());
+            let name = if off_m.is_nan() { "refused.parted_open" } else { "refused.parted" };
+            say(name, &[("joint", &joint), ("when", &when(at_start)), ("off", &figures(*off_m))])
         }
-        Refusal::Moved { body, off_m } => format!(
-            "the motion that follows does not begin where the one before it ends: `{}` would be {} m off; under `next` keep the \
-             joints that place it as they are",
-            name(*body),
-            figures(*off_m)
-        ),
+        Refusal::Moved { body, off_m } => {
+            say("refused.moved", &[("body", &id(scene, *body)), ("off", &figures(*off_m))])
+        }
         _ => String::new(),
     }
 }
@@ -614,28 +543,31 @@ pub fn right_answer(words: &Words, entry: &KeyEntry, signs: Option<[&str; 2]>) -
 mod tests {
     use super::*;
 
+    fn joined() -> Scene {
+        let text = "
+bank: t
+title: t
+problems:
+  p:
+    title: t
+    data: {}
+    scene:
+      bodies: {rod: {mass: 2 kg, shape: {rod: 1 m}, moves: in the plane, angle: from vertical}}
+      joints: {floor: {guides: rod.A, along: horizontal, pushes: up}, cord: {links: rod.B, to: [0 m, 3 m]}}
+      start: {rod: {angle: 10 deg}}
+      end: {angle: {of: rod, reaches: 20 deg}}
+    questions: {v: {ask: v}}
+";
+        let bank = crate::bank::load::scenes_only(text, "t.yaml").unwrap_or_else(|found| panic!("{found:?}"));
+        bank.problems[0].cases[0].scene.clone()
+    }
+
     /// The words were only read with speeds above 0.
     #[test]
     fn a_start_speed_of_nothing_is_not_said_to_move_it() {
-        let turn = crate::scene::Coordinate { body: 0, degree: crate::scene::Degree::Turn };
-        let zero = crate::scene::Num::Fixed(0.0);
-        let scene = Scene {
-            gravity_m_s2: zero,
-            bodies: vec![],
-            ties: vec![],
-            couples: vec![],
-            joints: vec![],
-            restitution: None,
-            pushes: vec![],
-            struts: vec![],
-            growths: vec![],
-            carried: None,
-            start: vec![crate::scene::Start::Speed(turn, zero)],
-            end: End::TurningPoint(turn),
-            heading: None,
-            span: Span::ToEnd,
-            formulas: crate::scene::Formulas::default(),
-        };
+        let turn = Coordinate { body: 0, degree: Degree::Turn };
+        let start = vec![crate::scene::Start::Speed(turn, Num::Fixed(0.0))];
+        let scene = Scene { start, joints: Vec::new(), end: End::TurningPoint(turn), ..joined() };
         let moves = |available: f64, required: f64| {
             let kind = CheckKind::Moves;
             check(&scene, &[], &Check { kind, of: 0, ok: true, required, available, margin: 1.0 })
@@ -651,23 +583,7 @@ mod tests {
     /// it is said.
     #[test]
     fn every_condition_has_its_sentences() {
-        let joined = "
-bank: t
-title: t
-problems:
-  p:
-    title: t
-    data: {}
-    scene:
-      bodies: {rod: {mass: 2 kg, shape: {rod: 1 m}, moves: in the plane, angle: from vertical}}
-      joints: {floor: {guides: rod.A, along: horizontal, pushes: up}, cord: {links: rod.B, to: [0 m, 3 m]}}
-      start: {rod: {angle: 10 deg}}
-      end: {angle: {of: rod, reaches: 20 deg}}
-    questions: {v: {ask: v}}
-";
-        let bank =
-            crate::bank::load::scenes_only(joined, "t.yaml").unwrap_or_else(|found| panic!("{found:?}"));
-        let joined = &bank.problems[0].cases[0].scene;
+        let joined = joined();
         let mut scenes = vec![joined.clone()];
         scenes.push(Scene { joints: Vec::new(), ..joined.clone() });
         scenes.push(Scene { joints: joined.joints[1..].to_vec(), ..joined.clone() });
@@ -689,6 +605,16 @@ problems:
         let names: Vec<&str> = all.split('"').skip(1).step_by(2).collect();
         let said: Vec<String> = names.iter().map(|name| say(&format!("reaches.{name}"), &[])).collect();
         assert!(names.len() > 10 && said.iter().all(|text| !text.is_empty()), "{names:?}");
+    }
+
+    /// A missing sentence is found out only where it is said.
+    #[test]
+    fn every_name_in_the_source_has_its_sentence() {
+        let (source, _) = include_str!("sentences.rs").split_once("mod tests").expect("they are here");
+        let topics = ["looks.", "then.", "why.", "refused.", "not_found.", "unsettled."];
+        let names = source.split('"').skip(1).step_by(2).filter(|s| topics.iter().any(|t| s.starts_with(t)));
+        let said = names.filter(|name| !name.contains('{')).map(|name| say(name, &[]));
+        assert!(said.filter(|text| !text.is_empty()).count() > 30);
     }
 
     /// A name that is put together is found out only where it is said.

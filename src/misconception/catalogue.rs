@@ -65,10 +65,7 @@ impl Catalogue {
         }
     }
 
-    /// Reads a catalogue: `A05: {did: ..., tempts: ..., see: ..., hint: ..., note: ...}`.
-    ///
-    /// # Errors
-    /// All that is wrong with it.
+    /// Reads a catalogue: `A05: {did: ..., tempts: ..., see: ..., hint: ..., note: ...}`. Errors: all that is wrong with it.
     pub fn read(text: &str, file: &str) -> Result<Self, Findings> {
         let tree = yaml::tree(text).map_err(|f| f.in_file(file))?;
         let faults = Faults::default();

@@ -90,13 +90,11 @@ pub struct Checked {
 }
 
 /// Solves a problem of a sheet; `file` is the name shown in findings.
-///
-/// # Errors
-/// It carries no scene, the scene cannot be read, or its data are no motion.
+/// Errors: it carries no scene, the scene cannot be read, or its data are no motion.
 pub fn solve(problem: &SheetProblem, file: &str) -> Result<CheckedProblem, Unsolved> {
     let Some(tree) = problem.bank_tree().map_err(Unsolved::Faults)? else { return Err(Unsolved::NoScene) };
     let no_problem = || Unsolved::Faults(Finding::new("scene", "holds no problem").into());
-    let mut bank = load::of_tree(&tree, file).map_err(Unsolved::Faults)?;
+    let mut bank = load::checked(&tree, file, None).map_err(Unsolved::Faults)?;
     // A tolerance that widens with the condition number stands on the sheet.
     for question in bank.problems.iter_mut().flat_map(|p| &mut p.questions) {
         let printed =

@@ -29,9 +29,7 @@ enum Answer {
 
 impl Session {
     /// Opens a sheet from the JSON text of `{"sheet": ..., "phrases": ..., "methods": ...}` and solves it.
-    ///
-    /// # Errors
-    /// The texts cannot be read, or a problem of the sheet cannot be checked.
+    /// Errors: the texts cannot be read, or a problem of the sheet cannot be checked.
     pub fn open(text: &str) -> Result<Self, Finding> {
         let mut opening: Value = serde_json::from_str(text).map_err(|_| Finding::new("", "is no sheet"))?;
         let sheet = SheetFile::of(&opening["sheet"])?;

@@ -48,20 +48,14 @@ pub struct SheetPart {
 }
 
 impl SheetFile {
-    /// Reads a sheet file.
-    ///
-    /// # Errors
-    /// What is wrong with it, with its place.
+    /// Reads a sheet file. Errors: what is wrong with it, with its place.
     pub fn parse(text: &str) -> Result<Self, Finding> {
         let value: Value =
             serde_json::from_str(text).map_err(|e| Finding::of_json("sheet file", &e).hint(HINT))?;
         Self::of(&value)
     }
 
-    /// The sheet file that stands in this JSON.
-    ///
-    /// # Errors
-    /// What is wrong with it, with its field.
+    /// The sheet file that stands in this JSON. Errors: what is wrong with it, with its field.
     pub fn of(value: &Value) -> Result<Self, Finding> {
         let format = match value.get("format") {
             None | Some(Value::Null) => None,
@@ -138,9 +132,7 @@ impl SheetProblem {
     }
 
     /// The tree of a bank that holds this problem with its drawn data, or `None` if the sheet carries no scene.
-    ///
-    /// # Errors
-    /// The drawn data are not those of the scene.
+    /// Errors: the drawn data are not those of the scene.
     pub fn bank_tree(&self) -> Result<Option<Node>, Findings> {
         if matches!(self.scene.value, node::Value::Empty) {
             return Ok(None);

@@ -254,10 +254,7 @@ impl<'p> Maker<'p> {
         (index, values, data)
     }
 
-    /// The variant of such a draw.
-    ///
-    /// # Errors
-    /// The draw, if it does not hold the rules, and which one refuses it.
+    /// The variant of such a draw. Errors: the draw, if it does not hold the rules, and which one refuses it.
     pub fn again(&self, student: &str, tries: u32) -> Result<Variant, Box<RefusedDraw>> {
         let (case, values, data) = self.drawn(student, tries);
         let mut refusals = Refusals::default();
@@ -727,7 +724,7 @@ fn bounds(
     hear: Hears,
 ) -> Result<(), Refused> {
     for (i, bound) in case.bounds.iter().enumerate() {
-        if bound.expression.needs_solution() != of_solution {
+        if bound.expression.quantities().next().is_some() != of_solution {
             continue;
         }
         let value = bound.expression.eval(data, quantity);

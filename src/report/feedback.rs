@@ -54,8 +54,7 @@ impl FeedbackWriter<'_> {
         let (points, of) = self.marks.totals[student];
         view.text("total", &self.points(points, of));
         view.value("notes", list(self.notes(student, dropped)));
-        let problems =
-            (0..self.marks.class.problems.len()).map(|i| self.problem(student, i, dropped)).collect();
+        let problems = (0..self.marks.class.problems.len()).map(|i| self.problem(student, i, dropped));
         view.value("problems", template::list(problems));
         let markdown = self.templates.markdown("feedback.md", &view)?;
         Ok((head, Document::new(markdown, Vec::new())))
@@ -94,13 +93,9 @@ impl FeedbackWriter<'_> {
         if dropped.contains(&problem) {
             told = format!("{told}; {}", self.words.get("marks.not_counted"));
         }
-        let title = &self.marks.class.problems[problem];
-        template::map([
-            ("number", template::finished(&(problem + 1).to_string())),
-            ("title", template::finished(title)),
-            ("points", template::finished(&told)),
-            ("parts", template::list(parts.into_iter().map(|p| self.part(student, p)).collect())),
-        ])
+        let (number, title) = ((problem + 1).to_string(), &self.marks.class.problems[problem]);
+        let parts = template::list(parts.into_iter().map(|p| self.part(student, p)));
+        template::with([("number", &number), ("title", title), ("points", &told)], [("parts", parts)])
     }
 
     fn part(&self, student: usize, part: usize) -> Value {
@@ -129,17 +124,17 @@ impl FeedbackWriter<'_> {
             credit.extend(self.credit("correction", part));
         }
         let hints = row_told.map_or_else(Vec::new, |r| self.hints(r, student, part));
-        template::map([
-            ("sign", template::finished(sign)),
-            ("name", template::finished(&template::in_markdown(&asked.label()))),
-            ("asked", template::finished(&asked.asked)),
-            ("verdict", template::finished(self.words.get(&format!("marks.verdict.{name}")))),
-            ("points", template::finished(&self.points(points, asked.points))),
-            ("answer", template::finished(&row.map_or_else(String::new, |r| quoted(&r.answer)))),
-            ("reason", template::finished(&sentence(&reason))),
-            ("credit", list(credit.iter().map(|c| sentence(c)).collect())),
-            ("hints", list(hints)),
-        ])
+        let texts = [
+            ("sign", sign),
+            ("name", &template::in_markdown(&asked.label())),
+            ("asked", &asked.asked),
+            ("verdict", self.words.get(&format!("marks.verdict.{name}"))),
+            ("points", &self.points(points, asked.points)),
+            ("answer", &row.map_or_else(String::new, |r| quoted(&r.answer))),
+            ("reason", &sentence(&reason)),
+        ];
+        let credit = list(credit.iter().map(|c| sentence(c)).collect());
+        template::with(texts, [("credit", credit), ("hints", list(hints))])
     }
 
     /// What the student is told of the reading of an answer. Of a wrong number only phrases that are known to say nothing of slips;
@@ -234,7 +229,7 @@ impl FeedbackWriter<'_> {
 }
 
 fn list(lines: Vec<String>) -> Value {
-    template::list(lines.iter().map(|l| template::finished(l)).collect())
+    template::list(lines.iter().map(|l| template::finished(l)))
 }
 
 /// An answer within quotation marks: escaped, its blanks as one.

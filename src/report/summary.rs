@@ -39,31 +39,15 @@ pub fn grades(table: &KeyTable, graded: &run::Graded, policy: &Policy) -> String
     if !graded.unused_columns.is_empty() {
         text.push_str(&format!(" Columns not used: {}.", graded.unused_columns.join(", ")));
     }
-    let strangers = graded.count(Verdict::UnknownStudent);
-    if strangers > 0 {
-        let answers = terminal::count(strangers, "answer");
-        text.push_str(&format!(
-            "\n  Not counted: {answers} under an id that is not on the roster (`unknown student` in answers.csv). Spreadsheets turn 0017 into 17."
-        ));
-    }
-    if graded.respelled > 0 {
-        let answers = terminal::count(graded.respelled, "answer");
-        text.push_str(&format!(
-            "\n  {answers} came under an id that differs from the roster's in upper and lower case alone, and count."
-        ));
-    }
-    if graded.undated > 0 {
-        let answers = terminal::count(graded.undated, "answer");
-        text.push_str(&format!(
-            "\n  {answers} that count have no submitted_at that can be read, and are taken as {}.",
-            policy.late.unread.map_or("in time", Unread::as_str)
-        ));
-    }
-    if graded.untimed > 0 {
-        let parts = terminal::count(graded.untimed, "answer");
-        text.push_str(&format!(
-            "\n  The attempts at {parts} were ordered by row, because a submitted_at cannot be read."
-        ));
+    let unread = policy.late.unread.map_or("in time", Unread::as_str);
+    let notes = [
+        (graded.count(Verdict::UnknownStudent), "Not counted: ", " under an id that is not on the roster (`unknown student` in answers.csv). Spreadsheets turn 0017 into 17.".to_owned()),
+        (graded.respelled, "", " came under an id that differs from the roster's in upper and lower case alone, and count.".to_owned()),
+        (graded.undated, "", format!(" that count have no submitted_at that can be read, and are taken as {unread}.")),
+        (graded.untimed, "The attempts at ", " were ordered by row, because a submitted_at cannot be read.".to_owned()),
+    ];
+    for (count, before, after) in notes.into_iter().filter(|(count, ..)| *count > 0) {
+        text.push_str(&format!("\n  {before}{}{after}", terminal::count(count, "answer")));
     }
     text
 }

@@ -67,25 +67,25 @@ pub fn page(
         let statement = converter.body(&Document::new(markdown, Vec::new()), &[], place);
         let cards =
             variants.iter().enumerate().map(|(n, v)| card(problem, v, (n + 1, None), texts, &mut converter));
-        let cards = template::list(cards.collect());
+        let cards = template::list(cards);
         let refused = maker.refused(TRIES);
         let refused = refused.iter().take(REFUSED).enumerate().map(|(n, draw)| {
             card(problem, &draw.variant, (n + 1, Some(draw.why.as_str())), texts, &mut converter)
         });
-        let refused = template::list(refused.collect());
+        let refused = template::list(refused);
         let found = review::tables(problem, sweep);
         let never = review::never_near(&found).map_or_else(String::new, |text| escaped(&text));
         let notes = notes(problem, sweep, &found.notes);
-        shown.push(template::map([
-            ("id", template::finished(&problem.id)),
-            ("title", template::finished(&escaped(&problem.title))),
-            ("statement", template::finished(statement.trim_end())),
+        let title = escaped(&problem.title);
+        let lists = [
             ("tables", template::list(tables(found, texts))),
-            ("never", template::finished(&never)),
             ("notes", template::list(notes)),
             ("variants", cards),
             ("refused", refused),
-        ]));
+        ];
+        let of_problem =
+            [("id", &*problem.id), ("title", &title), ("statement", statement.trim_end()), ("never", &never)];
+        shown.push(template::with(of_problem, lists));
     }
     let mut view = View::new();
     view.text("language", texts.words.language());
@@ -143,20 +143,16 @@ fn card(
             let _ = write!(answer, " {}", entry.unit.ascii().replace("^2", "²").replace("^3", "³"));
         }
         let cond = entry.cond.map_or_else(String::new, |c| phrases.number(&shown::significant(c, 3)));
-        template::map([
-            ("id", template::finished(&entry.part)),
-            ("answer", template::finished(&escaped(&answer))),
-            ("cond", template::finished(&cond)),
-        ])
+        template::texts([("id", &entry.part), ("answer", &escaped(&answer)), ("cond", &cond)])
     });
-    template::map([
-        ("name", template::finished(&phrases.say("gallery.variant", &[("n", &n.to_string())]))),
-        ("why", template::finished(&escaped(why.unwrap_or_default()))),
-        ("what", template::finished(&escaped(&what.join(", ")))),
-        ("figure", template::finished(&figure)),
-        ("data", template::finished(data.trim_end())),
-        ("answers", template::list(answers.collect())),
-    ])
+    let of_card = [
+        ("name", &*phrases.say("gallery.variant", &[("n", &n.to_string())])),
+        ("why", &escaped(why.unwrap_or_default())),
+        ("what", &escaped(&what.join(", "))),
+        ("figure", &figure),
+        ("data", data.trim_end()),
+    ];
+    template::with(of_card, [("answers", template::list(answers))])
 }
 
 /// The tables of `lint`, with the same numbers.
@@ -180,21 +176,15 @@ fn tables(found: SweepTables, texts: &Texts) -> Vec<Value> {
     ];
     let cells = |row: &[String], left: &[usize]| {
         let cell = |(i, text): (usize, &String)| {
-            template::map([
-                ("text", template::finished(&escaped(text))),
-                ("right", template::finished(if left.contains(&i) { "" } else { "yes" })),
-            ])
+            template::texts([("text", &escaped(text)), ("right", if left.contains(&i) { "" } else { "yes" })])
         };
-        template::list(row.iter().enumerate().map(cell).collect())
+        template::list(row.iter().enumerate().map(cell))
     };
     all.iter()
         .filter(|(_, rows, _)| rows.len() > 1)
         .map(|(name, rows, left)| {
-            template::map([
-                ("name", template::finished(&escaped(name))),
-                ("head", cells(&rows[0], left)),
-                ("rows", template::list(rows[1..].iter().map(|row| cells(row, left)).collect())),
-            ])
+            let below = template::list(rows[1..].iter().map(|row| cells(row, left)));
+            template::with([("name", &escaped(name))], [("head", cells(&rows[0], left)), ("rows", below)])
         })
         .collect()
 }

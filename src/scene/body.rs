@@ -2,7 +2,7 @@
 use crate::scene::{Num, Planar};
 
 /// One rigid body.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Body {
     /// Name in the bank, such as `wheel`.
     pub name: String,
@@ -41,13 +41,14 @@ impl Body {
 }
 
 /// Mass of a body.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub enum Mass {
     /// Mass, kg.
     Kilograms(Num),
     /// Weight, N; the mass is weight / g.
     Weight(Num),
     /// Sum of the masses of the parts of [`RotaryInertia::Parts`], or of the particles; none where only a moment of inertia is told.
+    #[default]
     OfParts,
 }
 

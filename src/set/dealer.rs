@@ -38,10 +38,7 @@ impl<'b> Dealer<'b> {
         Self { makers: chosen.map(|p| (p, Maker::new(p, seed, set))).collect() }
     }
 
-    /// Draws and solves the problems of one student.
-    ///
-    /// # Errors
-    /// The bank cannot be satisfied: the table of refusals.
+    /// Draws and solves the problems of one student. Errors: the bank cannot be satisfied: the table of refusals.
     pub fn deal(&self, student: &str) -> Result<Dealt, Box<Unsatisfiable>> {
         let drawn = self.makers.iter().map(|(problem, maker)| -> Result<_, Box<Unsatisfiable>> {
             let variant = maker.variant(student)?;
@@ -113,10 +110,7 @@ pub fn stored(problem: &Problem, variant: &Variant) -> StoredVariant {
     StoredVariant { id, case, tries: variant.tries, refused, data, parts }
 }
 
-/// Indices of problems by id.
-///
-/// # Errors
-/// Ids that the bank does not have, and ids given twice.
+/// Indices of problems by id. Errors: ids that the bank does not have, and ids given twice.
 pub fn indices(bank: &Bank, ids: &[String], field: &str) -> Result<Vec<usize>, Findings> {
     let mut found = Vec::new();
     let mut faults = Findings::default();
@@ -136,10 +130,7 @@ pub fn indices(bank: &Bank, ids: &[String], field: &str) -> Result<Vec<usize>, F
     faults.into_result(found)
 }
 
-/// The same, or all of the bank where none are named.
-///
-/// # Errors
-/// As [`indices`].
+/// The same, or all of the bank where none are named. Errors: as [`indices`].
 pub fn chosen(bank: &Bank, ids: Option<&[String]>, field: &str) -> Result<Vec<usize>, Findings> {
     ids.map_or_else(|| Ok((0..bank.problems.len()).collect()), |ids| indices(bank, ids, field))
 }

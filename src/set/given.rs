@@ -49,9 +49,7 @@ pub enum GivenFault {
 }
 
 /// The stored students with their keys, in the order of the set.
-///
-/// # Errors
-/// Problems, cases and data that the bank no longer has, once each; then the students whose data give no key, all of them.
+/// Errors: problems, cases and data that the bank no longer has, once each; then the students whose data give no key, all of them.
 pub fn all(bank: &Bank, set: &StoredSet) -> Result<Vec<Dealt>, Vec<GivenFault>> {
     let problems = indices(bank, &set.problems, "problems")
         .map_err(|faults| faults.into_iter().map(GivenFault::Misfit).collect::<Vec<_>>())?;
@@ -118,9 +116,7 @@ fn one(
 }
 
 /// All students of a set that an earlier version drew, see [`as_stored`].
-///
-/// # Errors
-/// Those of [`as_stored`], of the first student who has any.
+/// Errors: those of [`as_stored`], of the first student who has any.
 pub fn all_as_stored(bank: &Bank, set: &StoredSet) -> Result<Vec<Dealt>, Findings> {
     let problems = indices(bank, &set.problems, "problems")?;
     let all: Vec<_> = set.students.par_iter().map(|s| as_stored(bank, &problems, s)).collect();
@@ -128,10 +124,7 @@ pub fn all_as_stored(bank: &Bank, set: &StoredSet) -> Result<Vec<Dealt>, Finding
 }
 
 /// A stored student of a set that an earlier version drew: variants and key from the stored data. What counts is the stored
-/// key, so no rule of drawing is asked.
-///
-/// # Errors
-/// Bank and data do not fit each other, or the scene has no answer.
+/// key, so no rule of drawing is asked. Errors: bank and data do not fit each other, or the scene has no answer.
 pub fn as_stored(bank: &Bank, problems: &[usize], student: &StoredStudent) -> Result<Dealt, Findings> {
     let solve = |index: usize, case: usize, values: &[Option<Decimal>]| {
         let problem = &bank.problems[index];

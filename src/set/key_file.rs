@@ -161,9 +161,7 @@ const AS_STORED: f64 = 1e-9;
 /// stored data of a set drawn by an earlier one. Returns how many stored answers this version does not get from the data. A
 /// file that is `sealed` (its hash stands in set.json) was not edited, so such answers are taken all the same; in another file
 /// they are findings.
-///
-/// # Errors
-/// At most five findings and their number: rows that are missing, cells that cannot be read, answers that the stored data do not
+/// Errors: at most five findings and their number: rows that are missing, cells that cannot be read, answers that the stored data do not
 /// give where no hash tells an edit from another way of solving.
 pub fn put_stored(stored: &[u8], keys: &mut [SheetKey], sealed: bool) -> Result<usize, Findings> {
     let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(unmarked(stored));

@@ -18,10 +18,7 @@ pub fn is_earlier(set: &StoredSet) -> bool {
 }
 
 /// Draws and solves a stored set again. The keys are returned only if the bank copy and every drawn number are the
-/// stored ones.
-///
-/// # Errors
-/// What differs: at most five findings and their number.
+/// stored ones. Errors: what differs: at most five findings and their number.
 pub fn keys(bank: &Bank, set: &StoredSet) -> Result<Vec<SheetKey>, Findings> {
     each(bank, set, &|_, _, dealt| Ok(dealt.key))
 }
@@ -51,10 +48,7 @@ pub struct WrongOnDemand<'b> {
 }
 
 impl<'b> WrongOnDemand<'b> {
-    /// Nothing is found yet.
-    ///
-    /// # Errors
-    /// The bank has not the problems of the set.
+    /// Nothing is found yet. Errors: the bank has not the problems of the set.
     pub fn new(bank: &'b Bank, set: &'b StoredSet) -> Result<Self, Findings> {
         let problems = indices(bank, &set.problems, "problems")?;
         let dealer = Dealer::new(bank, &problems, set.seed, &set.name);
@@ -72,10 +66,7 @@ impl FindWrong for WrongOnDemand<'_> {
 }
 
 /// The same for every student: what `make` makes of a student's place in the set, variants and key, in the order of the
-/// set and on several threads.
-///
-/// # Errors
-/// What differs, or what `make` found: at most five findings and their number.
+/// set and on several threads. Errors: what differs, or what `make` found: at most five findings and their number.
 pub fn each<T: Send>(
     bank: &Bank,
     set: &StoredSet,

@@ -158,10 +158,7 @@ pub struct Coincidence {
 }
 
 impl StoredSet {
-    /// Reads set.json.
-    ///
-    /// # Errors
-    /// What is wrong with it, with its place.
+    /// Reads set.json. Errors: what is wrong with it, with its place.
     pub fn parse(text: &str) -> Result<Self, Finding> {
         stored(text, ("set", "generate"), |set: &Self| set.format, FORMAT)
     }

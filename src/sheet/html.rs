@@ -303,10 +303,7 @@ pub fn running_head(head: &Head) -> String {
 }
 
 /// A page that needs nothing else. `kind` is the class of its body: `sheets`, `solutions`, `practice`, `key`; `tools` are those of
-/// a page that checks answers.
-///
-/// # Errors
-/// Faults of the templates.
+/// a page that checks answers. Errors: faults of the templates.
 pub fn page(
     templates: &Templates,
     words: &Words,
@@ -331,9 +328,7 @@ pub fn page(
 }
 
 /// One page with all of a set: each document, its headings lowered by one, is an article with the id `s1`, `s2`, ...
-///
-/// # Errors
-/// Faults of the templates.
+/// Errors: faults of the templates.
 pub fn booklet<'p>(
     templates: &Templates,
     words: &Words,
@@ -352,14 +347,10 @@ pub fn booklet<'p>(
             "" => head.student.clone(),
             name => format!("{name} ({})", head.student),
         };
-        template::map([
-            ("id", template::finished(&part_id(i))),
-            ("who", template::finished(&template::in_html(&who))),
-            ("running", template::finished(&running_head(head))),
-            ("body", template::finished(&body)),
-        ])
+        let (id, who, running) = (part_id(i), template::in_html(&who), running_head(head));
+        template::texts([("id", &id), ("who", &who), ("running", &running), ("body", &body)])
     });
-    view.value("sheets", template::list(list.collect()));
+    view.value("sheets", template::list(list));
     templates.made("booklet.html", &view)
 }
 

@@ -54,35 +54,35 @@ pub fn document<'k>(
             } else {
                 format!(" / {}", q.unit.ascii().replace("^2", "²").replace("^3", "³"))
             };
-            template::map([("name", template::finished(&format!("`{}`{unit}", q.id)))])
+            template::texts([("name", &format!("`{}`{unit}", q.id))])
         });
         let students = rows.iter().zip(keys.clone()).map(|(row, key)| {
             let (case, word) = row.problems.get(i).map_or(("", ""), |(c, w)| (c, w));
             let entries = key.problems.get(i).map_or(&[][..], |k| &k.parts);
             let answers = entries.iter().map(|e| template::finished(&shown(words, problem, e)));
-            template::map([
-                ("student", template::finished(&template::in_markdown(&row.head.student))),
-                ("name", template::finished(&template::in_markdown(&row.head.name))),
-                ("code", template::finished(&row.head.code)),
-                ("case", template::finished(&template::in_markdown(case))),
-                (
-                    "regime",
-                    template::finished(&if word.is_empty() { String::new() } else { format!("`{word}`") }),
-                ),
-                ("answers", template::list(answers.collect())),
-            ])
+            let [student, name, case] = [&row.head.student, &row.head.name, case].map(template::in_markdown);
+            let regime = if word.is_empty() { String::new() } else { format!("`{word}`") };
+            let texts = [
+                ("student", student.as_str()),
+                ("name", &name),
+                ("code", &row.head.code),
+                ("case", &case),
+                ("regime", &regime),
+            ];
+            template::with(texts, [("answers", template::list(answers))])
         });
-        let flag = |set: bool| template::finished(if set { "yes" } else { "" });
-        template::map([
-            ("number", template::finished(&(i + 1).to_string())),
-            ("title", template::finished(&problem.title)),
-            ("cases", flag(cases)),
-            ("moves", flag(moves)),
-            ("parts", template::list(parts.collect())),
-            ("students", template::list(students.collect())),
-        ])
+        let flag = |set: bool| if set { "yes" } else { "" };
+        let texts = [("title", problem.title.as_str()), ("cases", flag(cases)), ("moves", flag(moves))];
+        template::with(
+            texts,
+            [
+                ("number", template::finished(&(i + 1).to_string())),
+                ("parts", template::list(parts)),
+                ("students", template::list(students)),
+            ],
+        )
     });
-    view.value("problems", template::list(list.collect()));
+    view.value("problems", template::list(list));
     let markdown = templates.markdown("key-table.md", &view)?;
     let title = format!("{}: {}", words.get("sheet.key"), bank.title);
     let head = Head { title, set: set.to_owned(), ..Head::default() };

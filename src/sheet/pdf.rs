@@ -22,18 +22,12 @@ mod none {
     pub struct PdfCompiler(Infallible);
 
     impl PdfCompiler {
-        /// Says how to get a program that makes PDFs.
-        ///
-        /// # Errors
-        /// Always.
+        /// Says how to get a program that makes PDFs. Errors: always.
         pub fn new(_: &Words, _: Option<(&str, &str)>) -> Result<Self, Finding> {
             let what = "this program was built without PDF: build it with `cargo build --release --features pdf`, or print the HTML pages";
             Err(Finding::new("--format pdf", what))
         }
-        /// Is never called.
-        ///
-        /// # Errors
-        /// None.
+        /// Is never called. Errors: none.
         pub fn press(&self, _: &[(&Head, &Document)]) -> Result<Vec<u8>, Finding> {
             match self.0 {}
         }
@@ -107,10 +101,7 @@ mod compiler {
 
     impl PdfCompiler {
         /// Loads fonts and the prelude: `own` is the instructor's `print.typ`, with its path for messages, instead of the
-        /// built-in one.
-        ///
-        /// # Errors
-        /// What is wrong in the prelude.
+        /// built-in one. Errors: what is wrong in the prelude.
         pub fn new(words: &Words, own: Option<(&str, &str)>) -> Result<Self, Finding> {
             let text = own.map_or(PRELUDE, |(_, text)| text);
             let standards = PdfStandards::new(&[PdfStandard::Ua_1])
@@ -130,9 +121,7 @@ mod compiler {
 
         /// One PDF with these documents one after the other, each from a new page and with pages counted from 1. Documents
         /// may be pressed by many threads at once.
-        ///
-        /// # Errors
-        /// A formula that has no translation, a picture that is not there, what the prelude does not take.
+        /// Errors: a formula that has no translation, a picture that is not there, what the prelude does not take.
         pub fn press(&self, documents: &[(&Head, &Document)]) -> Result<Vec<u8>, Finding> {
             let text = source(documents, &self.words)?;
             let job = Compilation { prelude: &self.prelude, main: Source::new(FIXED.main, text) };

@@ -28,10 +28,7 @@ pub struct Writer<'b> {
 }
 
 impl<'b> Writer<'b> {
-    /// Prepares the scenes from the text of the bank.
-    ///
-    /// # Errors
-    /// The text is not that of the bank.
+    /// Prepares the scenes from the text of the bank. Errors: the text is not that of the bank.
     pub fn new(
         bank: &'b Bank,
         text: &str,

@@ -91,10 +91,7 @@ impl<'t> SelfCheck<'t> {
         Self { words, hosting, used, phrases: json!(phrases) }
     }
 
-    /// The tools of one sheet.
-    ///
-    /// # Errors
-    /// The text of sheet.json is none.
+    /// The tools of one sheet. Errors: the text of sheet.json is none.
     pub fn tools(&self, bank: &Bank, problems: &[usize], handed: &Handed) -> Result<Tools, Finding> {
         let Handed { head, folder, sheet, variants } = handed;
         let chosen = || problems.iter().filter_map(|p| bank.problems.get(*p)).zip(*variants).enumerate();
@@ -119,14 +116,12 @@ impl<'t> SelfCheck<'t> {
             "keep": format!("slipstick {} {} {}", head.set, head.student, head.code),
         });
         let program = if self.hosting == Hosting::Single { PACKED.as_str() } else { "" };
-        let view = template::map([
-            // In a script no text may look like its end.
-            ("data", template::finished(&data.to_string().replace('<', "\\u003c"))),
-            ("program", template::finished(program)),
-            ("script", template::finished(SCRIPT)),
-            ("practice", template::finished(if self.used == Use::Practice { "yes" } else { "" })),
-            ("say", template::Value::from_serializable(&self.words.tree("page"))),
-        ]);
+        // In a script no text may look like its end.
+        let data = data.to_string().replace('<', "\\u003c");
+        let practice = if self.used == Use::Practice { "yes" } else { "" };
+        let say = template::Value::from_serializable(&self.words.tree("page"));
+        let texts = [("data", &*data), ("program", program), ("script", SCRIPT), ("practice", practice)];
+        let view = template::with(texts, [("say", say)]);
         let mut policy = format!("script-src 'sha256-{}' 'wasm-unsafe-eval'; ", *HASH);
         if self.hosting == Hosting::Site {
             policy.push_str("connect-src 'self'; worker-src 'self'; ");

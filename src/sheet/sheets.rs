@@ -28,10 +28,7 @@ pub struct SheetScratch {
 }
 
 impl<'b> Sheets<'b> {
-    /// Prepares the sheets of a set with these problems (indices into the bank), numbered from 1.
-    ///
-    /// # Errors
-    /// Faults of the templates.
+    /// Prepares the sheets of a set with these problems (indices into the bank), numbered from 1. Errors: faults of the templates.
     pub fn new(
         templates: &'b Templates,
         words: &'b Words,
@@ -53,10 +50,7 @@ impl<'b> Sheets<'b> {
         faults.into_result(Self { bank, set, templates, words, statements, common })
     }
 
-    /// Appends the Markdown of one problem (counted from 0 in the sheet), without its figure.
-    ///
-    /// # Errors
-    /// Faults of the templates.
+    /// Appends the Markdown of one problem (counted from 0 in the sheet), without its figure. Errors: faults of the templates.
     pub fn problem(
         &self,
         i: usize,
@@ -87,9 +81,7 @@ impl<'b> Sheets<'b> {
     }
 
     /// One problem (counted from 0 in the sheet) as a document of its own: heading, if one is given, statement, figure, questions.
-    ///
-    /// # Errors
-    /// Faults of the templates.
+    /// Errors: faults of the templates.
     pub fn problem_document(
         &self,
         i: usize,
@@ -126,10 +118,7 @@ impl<'b> Sheets<'b> {
         statement.write(variant, i + 1, figure, &mut scratch.statements[i], out)
     }
 
-    /// The sheet of one student.
-    ///
-    /// # Errors
-    /// Faults of the templates.
+    /// The sheet of one student. Errors: faults of the templates.
     pub fn document(
         &self,
         student: &str,
@@ -146,11 +135,8 @@ impl<'b> Sheets<'b> {
             body.clear();
             let problem = &self.bank.problems[*index];
             pictures.extend(self.whole_problem(i, variant, scratch, &mut body)?);
-            problems.push(template::map([
-                ("number", template::finished(&(i + 1).to_string())),
-                ("title", template::finished(&problem.title)),
-                ("body", template::finished(&String::from_utf8_lossy(&body))),
-            ]));
+            let (number, body) = ((i + 1).to_string(), String::from_utf8_lossy(&body));
+            problems.push(template::texts([("number", &number), ("title", &problem.title), ("body", &body)]));
         }
         let mut view = self.view(&head);
         view.value("problems", template::list(problems));

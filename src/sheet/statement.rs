@@ -105,10 +105,7 @@ pub fn template_name(problem: &Problem) -> String {
     }
 }
 
-/// Adds to `templates` what stands in the bank itself.
-///
-/// # Errors
-/// Templates that cannot be read, and problems that have none.
+/// Adds to `templates` what stands in the bank itself. Errors: templates that cannot be read, and problems that have none.
 pub fn add_own(templates: &mut Templates, bank: &Bank) -> Result<(), Findings> {
     let mut faults = Findings::default();
     for problem in &bank.problems {
@@ -138,10 +135,7 @@ fn is_template(text: &str) -> bool {
 }
 
 impl<'b> Statement<'b> {
-    /// Prepares a problem that has this number in its sheet.
-    ///
-    /// # Errors
-    /// Faults of the templates.
+    /// Prepares a problem that has this number in its sheet. Errors: faults of the templates.
     pub fn new(
         templates: &'b Templates,
         words: &'b Words,
@@ -194,10 +188,7 @@ impl<'b> Statement<'b> {
         })
     }
 
-    /// Appends the statement of a variant, with its figure (a line of Markdown) and its questions.
-    ///
-    /// # Errors
-    /// Faults of the templates.
+    /// Appends the statement of a variant, with its figure (a line of Markdown) and its questions. Errors: faults of the templates.
     pub fn write(
         &self,
         variant: &Variant,
@@ -312,7 +303,7 @@ impl<'b> Statement<'b> {
                     ("answer", document::ANSWER),
                 ])
             });
-        Ok(template::list(rows.collect()))
+        Ok(template::list(rows))
     }
 
     /// The series of the period and how many of its terms this swing takes to be within the tolerance, for a student who sums it.
@@ -372,7 +363,7 @@ impl<'b> Statement<'b> {
                     ("y", &text(p.y_m, r"\ \mathrm{m}")),
                 ])
             });
-            view.value("particles", template::list(rows.collect()));
+            view.value("particles", template::list(rows));
             let count = body.particles.len();
             let name = format!("sheet.count_{count}");
             let said =

@@ -7,10 +7,7 @@ use crate::template::{self, Templates, View};
 use crate::words::Words;
 use pulldown_cmark::{Alignment, Event, HeadingLevel, Parser, Tag, TagEnd};
 
-/// A whole document of LaTeX.
-///
-/// # Errors
-/// Faults of the templates.
+/// A whole document of LaTeX. Errors: faults of the templates.
 pub fn page(templates: &Templates, words: &Words, head: &Head, body: &str) -> Result<Vec<u8>, Finding> {
     let mut view = View::new();
     view.foreign("title", &[head.title.as_str(), &head.student].join(", "));
@@ -21,10 +18,7 @@ pub fn page(templates: &Templates, words: &Words, head: &Head, body: &str) -> Re
     templates.made("sheet.tex", &view)
 }
 
-/// One document of LaTeX with all of a set, each from a new page.
-///
-/// # Errors
-/// Faults of the templates.
+/// One document of LaTeX with all of a set, each from a new page. Errors: faults of the templates.
 pub fn booklet<'p>(
     templates: &Templates,
     words: &Words,
@@ -33,13 +27,9 @@ pub fn booklet<'p>(
 ) -> Result<Vec<u8>, Finding> {
     let mut view = View::new();
     view.foreign("title", title);
-    let list = parts.map(|(head, body)| {
-        template::map([
-            ("running", template::finished(&running_head(head))),
-            ("body", template::finished(body.trim_end())),
-        ])
-    });
-    view.value("sheets", template::list(list.collect()));
+    let list = parts
+        .map(|(head, body)| template::texts([("running", &running_head(head)), ("body", body.trim_end())]));
+    view.value("sheets", template::list(list));
     view.text("babel", babel(words));
     view.text("language", words.language());
     templates.made("booklet.tex", &view)

@@ -25,9 +25,7 @@ const UNBROKEN: usize = 28;
 const WIDE: usize = 7;
 
 /// The source of one PDF with these documents.
-///
-/// # Errors
-/// A formula or an element that has no translation, a picture that is not there.
+/// Errors: a formula or an element that has no translation, a picture that is not there.
 pub fn source(documents: &[(&Head, &Document)], words: &Words) -> Result<String, Finding> {
     let mut out = String::from("#import \"/print.typ\": *\n#show: book.with(");
     let _ = write!(out, "language: {}, ", quoted(words.language()));
@@ -366,10 +364,7 @@ pub struct TypstFormula {
     pub alt: String,
 }
 
-/// Translates a formula of TeX.
-///
-/// # Errors
-/// What cannot be read, and what has no translation.
+/// Translates a formula of TeX. Errors: what cannot be read, and what has no translation.
 pub fn formula(tex: &str, block: bool, words: &Words) -> Result<TypstFormula, Finding> {
     let storage = Storage::new();
     let fault = |what: &str| Finding::new("", format!("formula `${tex}$`: {what}"));

@@ -147,9 +147,7 @@ impl Habits {
     }
 
     /// Reads a file of habits. A field that is left out is nobody's habit; `answers` must be there.
-    ///
-    /// # Errors
-    /// All that is wrong with it, in the order of the file.
+    /// Errors: all that is wrong with it, in the order of the file.
     pub fn read(text: &str, file: &str) -> Result<Self, Findings> {
         let tree = yaml::tree(text).map_err(|f| f.in_file(file))?;
         let faults = Faults::default();

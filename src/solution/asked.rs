@@ -127,7 +127,8 @@ pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
                         page.say("asked.told", &[("what", &what)]);
                         let line = page.chain(known, &from);
                         page.formulas_or_one(vec![line]);
-                        page.untell(known);
+                        // It is derived on the page.
+                        page.draft.told.retain(|(told, _)| *told != known);
                     }
                     known
                 }

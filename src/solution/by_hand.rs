@@ -43,9 +43,7 @@ impl ByHand {
 }
 
 /// What comes out by hand for each question that asks a number, in the order of the questions, with so many figures on the way.
-///
-/// # Errors
-/// The derivations do not cover the scene, or rounding has changed the course of the motion.
+/// Errors: the derivations do not cover the scene, or rounding has changed the course of the motion.
 pub fn answers(
     problem: &Problem,
     variant: &Variant,

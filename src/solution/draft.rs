@@ -49,10 +49,7 @@ pub enum Detail {
     Full,
 }
 
-/// The scene of a variant.
-///
-/// # Errors
-/// The variant has a case that the problem has not.
+/// The scene of a variant. Errors: the variant has a case that the problem has not.
 pub fn scene_of<'a>(problem: &'a Problem, variant: &Variant) -> Result<&'a Scene, Finding> {
     let case = problem.cases.get(variant.case).map(|case| &case.scene);
     let missing =
@@ -82,7 +79,7 @@ pub struct Draft<'a> {
     /// One for each datum of the problem; `None` where the case does not use it.
     data: Vec<Option<SymbolId>>,
     /// Each datum as it is told, `R = 200\ \mathrm{mm} = 0.200\ \mathrm{m}`.
-    told: Vec<(SymbolId, String)>,
+    pub told: Vec<(SymbolId, String)>,
     /// Data that are `any`, each with the value that was chosen.
     pub chosen: Vec<SymbolId>,
     /// What was found, in order, once all sections are written.
@@ -312,11 +309,6 @@ impl<'a> Draft<'a> {
         self.told.iter().map(|(_, text)| text.as_str())
     }
 
-    /// Takes a quantity that is derived on the page out of the data.
-    pub fn untell(&mut self, symbol: SymbolId) {
-        self.told.retain(|(told, _)| *told != symbol);
-    }
-
     /// Symbol (as the bank has it) and text of each datum for templates, `$R = 200\ \mathrm{mm}$`.
     pub fn whole(&self) -> Vec<(String, String)> {
         let drawn = |i: usize| self.variant.values.get(i).copied().flatten();
@@ -402,11 +394,6 @@ impl<'a> Draft<'a> {
 
     fn needs_only(&self, wanted: impl Fn(Quantity) -> bool) -> bool {
         self.needed().iter().all(|l| wanted(l.quantity))
-    }
-
-    /// Is this label asked?
-    pub fn asks_label(&self, label: Label) -> bool {
-        self.problem.questions.iter().any(|q| q.label == label)
     }
 }
 

@@ -5,7 +5,7 @@ use crate::solution::AGREEMENT_REL;
 use crate::solution::account::of_body;
 use crate::solution::draft::{Detail, is_rate};
 use crate::solution::expr::{
-    Expr, ONE, SymbolId, ZERO, cosine, number, positive_first, ratio, root, sine, square, sum,
+    Expr, ONE, SymbolId, ZERO, cosine, in_sense, number, positive_first, ratio, root, sine, square, sum,
 };
 use crate::solution::factors::{Cancel, Sum};
 use crate::solution::narrate::Tells;
@@ -647,8 +647,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.tell_places();
             let rate = self.rate;
             if self.instant() {
-                let is = self.first.clone();
-                let is = if self.value(&is) < 0.0 { -is } else { is };
+                let is = in_sense(self.first.clone(), self.value(&self.first));
                 self.page.step(rate, is);
                 if self.moves {
                     self.tell([rate]);
@@ -668,32 +667,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
         let before = self.steps.len();
         self.solve()?;
-        let about = self.pivot.as_ref().map(|p| p.about);
-        // Of what the works take, only what the forces at this place need.
-        let springs = [&self.springs[..], &self.units].concat();
-        let used = self.behind(springs.clone(), |_| true);
-        let own = |s: &SymbolId| *s != self.rate && Some(*s) != about && (self.instant() || used.contains(s));
-        let late = self.steps[self.steps_of[0]..before].iter().map(|s| s.symbol).filter(own).collect();
-        let wanted: Vec<SymbolId> = if id == "short" { late } else { springs };
-        let sprung = !wanted.is_empty() && !self.springs.is_empty();
-        let corded = self.joint(|k| matches!(k, JointKind::Cord { .. }))
-            || self.scene.pushes.iter().any(|p| p.toward_m.is_some());
-        if !wanted.is_empty() && (corded || !self.springs.is_empty()) {
-            let twists = self.scene.struts.iter().all(crate::scene::Strut::twists);
-            let name = match (self.springs.is_empty(), self.units.is_empty()) {
-                (true, _) if self.joint(|k| matches!(k, JointKind::Cord { rod: true, .. })) => {
-                    "joined.rod_there"
-                }
-                (true, _) => "joined.cord_there",
-                (false, true) if twists => "joined.spring_moment",
-                (false, true) => "joined.spring_force",
-                (false, false) if self.radial() => "pinned.spring_there",
-                (false, false) => "joined.spring_there",
-            };
-            let arm = format!("${}$", self.free(&["p", r"p_{\mathrm{s}}"]));
-            self.say(name, &[("arm", &arm)]);
-            self.tell(wanted);
-        }
+        let sprung = self.tell_springs(id == "short", before);
         self.skip_new();
         let pivot = self.pivot.clone();
         let mut pieces: Vec<(&str, &dyn Piece)> = Vec::new();
@@ -741,6 +715,37 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.say(name, &[own, &pieces].concat());
         }
         Ok(())
+    }
+
+    /// The forces of springs and cords at the asked place, alone or with all that they hang on of these first steps. Are there springs?
+    fn tell_springs(&mut self, alone: bool, steps: usize) -> bool {
+        let about = self.pivot.as_ref().map(|p| p.about);
+        // Of what the works take, only what the forces at this place need.
+        let springs = [&self.springs[..], &self.units].concat();
+        let used = self.behind(springs.clone(), |_| true);
+        let own = |s: &SymbolId| *s != self.rate && Some(*s) != about && (self.instant() || used.contains(s));
+        let late = self.steps[self.steps_of[0]..steps].iter().map(|s| s.symbol).filter(own).collect();
+        let wanted: Vec<SymbolId> = if alone { late } else { springs };
+        let sprung = !wanted.is_empty() && !self.springs.is_empty();
+        let corded = self.joint(|k| matches!(k, JointKind::Cord { .. }))
+            || self.scene.pushes.iter().any(|p| p.toward_m.is_some());
+        if !wanted.is_empty() && (corded || !self.springs.is_empty()) {
+            let twists = self.scene.struts.iter().all(crate::scene::Strut::twists);
+            let name = match (self.springs.is_empty(), self.units.is_empty()) {
+                (true, _) if self.joint(|k| matches!(k, JointKind::Cord { rod: true, .. })) => {
+                    "joined.rod_there"
+                }
+                (true, _) => "joined.cord_there",
+                (false, true) if twists => "joined.spring_moment",
+                (false, true) => "joined.spring_force",
+                (false, false) if self.radial() => "pinned.spring_there",
+                (false, false) => "joined.spring_there",
+            };
+            let arm = format!("${}$", self.free(&["p", r"p_{\mathrm{s}}"]));
+            self.say(name, &[("arm", &arm)]);
+            self.tell(wanted);
+        }
+        sprung
     }
 
     /// The place at which a force has fallen to 0, by both methods.

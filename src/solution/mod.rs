@@ -65,8 +65,7 @@ use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::{Symbols, tex_digits};
 use crate::solution::text::{Block, SolutionSection};
 use crate::solve::outcome::Word;
-use crate::template;
-use crate::template::{Templates, View};
+use crate::template::{self, Templates, View};
 use crate::words::Words;
 
 /// The ids of the sections in the order of the text.
@@ -81,10 +80,7 @@ const ORDER: [&str; 25] = [
 /// Relative difference from the key that rounding in doubles explains, for a condition number of 1.
 const AGREEMENT_REL: f64 = 1e-9;
 
-/// The worked solution of a variant that has this number in its sheet.
-///
-/// # Errors
-/// Faults of the template.
+/// The worked solution of a variant that has this number in its sheet. Errors: faults of the template.
 pub fn document(
     problem: &Problem,
     variant: &Variant,
@@ -95,10 +91,7 @@ pub fn document(
     worked(problem, variant, number, Detail::Short, (words, templates)).map(|(document, _)| document)
 }
 
-/// The same, and what the derivations do not cover, if it is a short page for that reason.
-///
-/// # Errors
-/// Those of [`document`].
+/// The same, and what the derivations do not cover, if it is a short page for that reason. Errors: those of [`document`].
 pub fn worked(
     problem: &Problem,
     variant: &Variant,
@@ -111,10 +104,7 @@ pub fn worked(
     })
 }
 
-/// Its text alone, without the pictures, which take longer than all the rest.
-///
-/// # Errors
-/// Those of [`document`].
+/// Its text alone, without the pictures, which take longer than all the rest. Errors: those of [`document`].
 pub fn text(
     problem: &Problem,
     variant: &Variant,
@@ -193,22 +183,15 @@ fn made(
     }
     let bodies: Vec<String> = sections.iter().map(|s| s.markdown(&alt)).collect();
     let list = sections.iter().zip(&bodies).map(|(s, body)| {
-        template::map([
-            ("id", template::finished(s.id)),
-            ("title", template::finished(&s.title)),
-            ("gap", template::finished(s.gap())),
-            ("body", template::finished(body)),
-        ])
+        template::texts([("id", s.id), ("title", &s.title), ("gap", s.gap()), ("body", body)])
     });
-    view.value("sections", template::list(list.collect()));
+    view.value("sections", template::list(list));
     view.value(
         "section",
         template::map(sections.iter().zip(&bodies).map(|(s, body)| (s.id, template::finished(body)))),
     );
-    let list = answers.iter().map(|(id, answer)| {
-        template::map([("id", template::finished(id)), ("answer", template::finished(answer))])
-    });
-    view.value("answers", template::list(list.collect()));
+    let list = answers.iter().map(|(id, answer)| template::texts([("id", id), ("answer", answer)]));
+    view.value("answers", template::list(list));
     let own = format!("solution/{}.md", problem.id);
     // A text for this problem speaks of sections that a short page does not have.
     let name =

@@ -916,7 +916,8 @@ impl<'d, 'a> Account<'d, 'a> {
             self.say_of(name, action.body, &[("centre", &c.expr()), ("point", &away), ("gamma", &gamma)]);
             let line = self.chain(gamma, &is);
             let travel = of_tie(Quantity::CordTravel, tie);
-            let told = self.placed() && !spring && self.s != ZERO && self.asks_label(travel);
+            let asked = self.problem.questions.iter().any(|q| q.label == travel);
+            let told = self.placed() && !spring && self.s != ZERO && asked;
             let tail = if told { self.get(travel).ok() } else { None }.map(|l| self.step_of(l));
             match tail {
                 Some(tail) if !tail.contains('&') => self.formula(format!(r"{line}, \qquad {tail}")),

@@ -127,6 +127,9 @@ fn vector(unit: &[Factors; 2]) -> Vector {
     unit.clone().map(Sum::one)
 }
 
+/// A cylinder on which a body is: the body's point, the radius there, the axis, the radius; from inside? Does it roll?
+type LeadingArc = (Spot, Num, [Num; 2], Num, bool, bool);
+
 /// One body.
 #[derive(Debug, Clone)]
 pub struct PlaneBody {
@@ -449,9 +452,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.pivot = Some(Pivot { name, h, own, about, force, radial, up, place });
     }
 
-    /// The cylinder on which a body has its place by the leading angle: its point, the radius there, the axis, the radius; from inside?
-    /// Does it roll?
-    fn arc_of(&self, body: usize) -> Option<(Spot, Num, [Num; 2], Num, bool, bool)> {
+    /// The cylinder on which a body has its place by the leading angle.
+    fn arc_of(&self, body: usize) -> Option<LeadingArc> {
         let mut leading = (0..self.scene.joints.len()).filter(|j| self.scene.leads_on_arc(*j));
         leading.find_map(|j| match self.scene.joints[j].kind {
             JointKind::Contact {
@@ -826,7 +828,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         if self.value(&gap.expr()) < 0.0 { gap.opposite().upright(&self.symbols) } else { gap }
     }
     /// How far a wheel on a cylinder turns per angle of its centre.
-    fn turning_of(&mut self, arc: (Spot, Num, [Num; 2], Num, bool, bool)) -> Factors {
+    fn turning_of(&mut self, arc: LeadingArc) -> Factors {
         let (_, own, _, arc, inside, rolls) = arc;
         if !rolls {
             return Factors::zero();
@@ -1052,19 +1054,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.sense = if change == 0.0 { self.value(&self.first).signum() } else { change.signum() };
         let turn = self.add_turn(body, [first, last], [ONE, ONE]);
         if let Some(arc) = self.arc_of(self.lead) {
-            let (at, own, middle, radius, inside, _) = arc;
-            let [own, radius] = self.radii(own, radius);
-            let apart = self.apart(&own, &radius, inside);
-            let centre = plus(&self.ground(middle), &times(&self.axis(turn), &apart));
-            let by = self.turning_of(arc);
-            self.bodies[body].turn = scene.bodies[body].turns.then(|| {
-                let [first, last] = self.turns[turn].at.clone();
-                let turned = if first == last { ZERO } else { (last - &first) * by.expr() };
-                let last = &first + turned;
-                self.add_turn(body, [first, last], [by.expr(), by.expr()])
-            });
-            let at = self.of_spot(at);
-            self.put(body, &at, &centre);
+            self.place_on_arc(turn, arc);
             return Ok(());
         }
         self.bodies[body].turn = Some(turn);
@@ -1121,6 +1111,23 @@ impl<'d, 'a> Plane<'d, 'a> {
             _ => return unfound(),
         };
         Ok(())
+    }
+
+    /// Places the leading body on the cylinder about whose axis its leading angle counts.
+    fn place_on_arc(&mut self, turn: usize, arc: LeadingArc) {
+        let (body, (at, own, middle, radius, inside, _)) = (self.lead, arc);
+        let [own, radius] = self.radii(own, radius);
+        let apart = self.apart(&own, &radius, inside);
+        let centre = plus(&self.ground(middle), &times(&self.axis(turn), &apart));
+        let by = self.turning_of(arc);
+        self.bodies[body].turn = self.scene.bodies[body].turns.then(|| {
+            let [first, last] = self.turns[turn].at.clone();
+            let turned = if first == last { ZERO } else { (last - &first) * by.expr() };
+            let last = &first + turned;
+            self.add_turn(body, [first, last], [by.expr(), by.expr()])
+        });
+        let at = self.of_spot(at);
+        self.put(body, &at, &centre);
     }
 
     /// Places a body beside those that have a place, if its joints do.
@@ -2105,11 +2112,8 @@ impl<'d, 'a> Plane<'d, 'a> {
                 ([tagged("a", &way(b)), tagged("b", "x")], a + with)
             }
             (Q::V, Owner::Body(b)) => {
-                let is = match (carried, self.speeds.get(b)) {
-                    (Some(speed), _) => speed,
-                    (None, Some(speed)) => speed.by(&rate),
-                    (None, None) => self.speed(&self.centre(b), None).by(&rate),
-                };
+                let per = || self.speeds.get(b).cloned().unwrap_or_else(|| self.speed(&self.centre(b), None));
+                let is = carried.unwrap_or_else(|| per().by(&rate));
                 return Ok(self.page.step(self.bodies[b].v, is));
             }
             (Q::V, Owner::Spot(spot)) => {
@@ -2123,10 +2127,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
             (Q::VX | Q::VY, Owner::Body(b)) => {
                 let line = self.centre(b)[i].clone();
-                let is = match glides {
-                    Some(is) => is,
-                    None => in_sense(self.rate(&line, END).expr(), self.sense).by(&rate),
-                };
+                let turning = || in_sense(self.rate(&line, END).expr(), self.sense).by(&rate);
+                let is = glides.unwrap_or_else(turning);
                 (letters(["v", "u"], &way(b)), is)
             }
             (Q::Rise, Owner::Body(b)) => {

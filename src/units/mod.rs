@@ -148,9 +148,7 @@ impl Unit {
         parse::unit(text, false).map(|(unit, _)| unit)
     }
     /// As `parse`, but a wrong case is forgiven where only one unit can be meant; `true` says that this was needed.
-    ///
-    /// # Errors
-    /// Says at which column what is wrong.
+    /// Errors: says at which column what is wrong.
     pub fn parse_any_case(text: &str) -> Result<(Unit, bool), UnitFault> {
         parse::unit(text, true)
     }

@@ -23,8 +23,7 @@ fn pulled(slip: bool) -> (Scene, Vec<f64>) {
             radii_m: vec![("rim".into(), d(1)), ("hub".into(), d(2))],
             line: Some(Line { slope: Slope::Degrees(d(4)), forward_up: true, surface: true }),
             turns: true,
-            particles: vec![],
-            planar: None,
+            ..Body::default()
         }],
         ties: vec![
             contact,

@@ -293,11 +293,9 @@ fn body(name: &str, line: Option<Line>, mass: f64, gyration: Option<f64>) -> Bod
         name: name.to_owned(),
         mass: Mass::Kilograms(f(mass)),
         inertia: gyration.map(|k| RotaryInertia::Gyration(f(k))),
-        radii_m: Vec::new(),
         line,
         turns: gyration.is_some(),
-        particles: Vec::new(),
-        planar: None,
+        ..Body::default()
     }
 }
 

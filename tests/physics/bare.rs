@@ -39,11 +39,8 @@ pub fn turning(mass: Num, inertia: RotaryInertia) -> Body {
         name: "body".into(),
         mass: Mass::Kilograms(mass),
         inertia: Some(inertia),
-        radii_m: Vec::new(),
-        line: None,
         turns: true,
-        particles: Vec::new(),
-        planar: None,
+        ..Body::default()
     }
 }
 

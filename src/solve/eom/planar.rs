@@ -1007,7 +1007,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
     }
     /// [`Layout::overruns`].
     pub fn overruns(&self, sense: f64, far: (T, T)) -> Option<T> {
-        if LOOKED_THROUGH { self.layout.overruns(&self.relaxed, sense, far) } else { None }
+        self.layout.overruns(&self.relaxed, sense, far)
     }
     /// Does a point of a body pass on this way through the surface that pushes another one of its points? One that starts beyond is no
     /// part of what the surface bears; what stands out over the rim of a wheel runs beside its rail.
