@@ -11,7 +11,7 @@ mod plan;
 use crate::num::half::Half;
 use crate::num::jet::Followed;
 use crate::num::plant::plant;
-use crate::num::{Jet, Real, U, root, trig};
+use crate::num::{Dd, Jet, Real, U, root, trig};
 use crate::scene::numbers::BodyNumbers;
 use crate::scene::pose::plan::Planner;
 use crate::scene::{
@@ -676,6 +676,14 @@ impl<'a, T: Real> Layout<'a, T> {
                 [c * cosine - s * back, s * cosine + c * back]
             }
         })
+    }
+    /// How far a motion is followed, radians of the leading angle: two turns, or as far as its end.
+    pub fn horizon(&self) -> T {
+        let turns = T::constant(Dd::PI.scale2(2));
+        let End::Angle(_, angle) = self.scene.end else { return turns };
+        let start = self.scene.planar(self.lead).and_then(|planar| planar.start_deg);
+        let apart = self.n.get(angle) - start.map_or_else(T::zero, |start| self.n.get(start));
+        (apart * T::constant(Dd::PI / Dd::new(180.0))).abs().larger(turns)
     }
     /// The first way in this sense, looked for up to `far`, on which a torsion spring comes to be wound by half a turn, from where it
     /// is relaxed, or a load to its pulley. What a page solves comes to its end before.

@@ -30,8 +30,6 @@ use std::cell::{Cell, RefCell};
 use std::ops::{Range, RangeInclusive};
 use std::rc::Rc;
 
-/// A motion is followed for two turns at most.
-const TURNS: f64 = 2.0;
 /// Step in which events are looked for, radians.
 const STEP: f64 = 0.0625;
 /// Into so many steps at least the way from one spring that is met to the next is cut, and a small swing.
@@ -322,7 +320,7 @@ impl<'a, T: Real> Account<'a, T> {
     /// Ways after which springs that only push or pull are met or let go of, one after the other; of all springs those after which they
     /// have their natural length or are shortest or longest, so that the force of none turns within a hair.
     fn springs_met(&self, all: bool) -> SmallVec<[T; 4]> {
-        let far = (T::constant(Dd::PI * Dd::new(2.0 * TURNS)), T::of(STEP));
+        let far = (self.layout.horizon(), T::of(STEP));
         let looked = |s: &usize| match self.scene.struts[*s].acts {
             Acts::Both => all && !self.scene.struts[*s].twists(),
             Acts::Pushes | Acts::Pulls => true,
@@ -743,7 +741,7 @@ impl<'a, T: Real> Account<'a, T> {
     fn settle(&self, spin: T, drive: (T, T), (wanted, road): (Scope, &mut Road<T>)) -> Result<(), Refusal> {
         let scene = self.scene;
         let from = spin.square().scale2(-1);
-        let mut far = T::constant(Dd::PI * Dd::new(2.0 * TURNS));
+        let mut far = self.layout.horizon();
         if let End::Angle(_, angle) = scene.end {
             let start = scene.lead().and_then(|l| scene.planar(l)?.start_deg);
             let apart = self.n.get(angle) - start.map_or_else(T::zero, |s| self.n.get(s));

@@ -24,8 +24,6 @@ use crate::solve::outcome::{self, Course, Held, Refusal, Road, Scope, Unsupporte
 use smallvec::SmallVec;
 use std::cell::RefCell;
 
-/// A motion is followed for two turns at most.
-const TURNS: f64 = 2.0;
 /// Angle after which a panel ends at the latest, radians.
 const STRIDE: f64 = 1.0;
 
@@ -272,7 +270,7 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
         near: T::zero(),
         slides,
         rubs,
-        meets: mechanism.meets(sense, (horizon(), look())),
+        meets: mechanism.meets(sense, (mechanism.horizon(), look())),
         pendulum: teller.pendulum(&state, sense, spin),
         fine: Fine::of::<T>(scene, false),
         timed: teller.asked.quantities.has(Quantity::T) || matches!(scene.end, End::Time(..)),
@@ -287,10 +285,6 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
     motion.set_off(&state)?.to_its_end(teller)
 }
 
-/// The angle up to which a motion is followed.
-fn horizon<T: Real>() -> T {
-    T::constant(Dd::PI * Dd::new(2.0 * TURNS))
-}
 /// Degrees per radian.
 fn degrees<T: Real>() -> T {
     T::constant(Dd::new(180.0) / Dd::PI)
@@ -850,10 +844,10 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             End::Speed(_, w) => {
                 let w = n.get(w) / self.mechanism.ratio();
                 let begins = self.from.half_square.scale2(1).root();
-                ((Some(w.abs()), begins), horizon(), Some(w.square().scale2(-1)))
+                ((Some(w.abs()), begins), self.mechanism.horizon(), Some(w.square().scale2(-1)))
             }
-            End::Time(_, t) => ((Some(n.get(t)), T::zero()), horizon(), None),
-            _ => ((None, T::zero()), horizon(), None),
+            End::Time(_, t) => ((Some(n.get(t)), T::zero()), self.mechanism.horizon(), None),
+            _ => ((None, T::zero()), self.mechanism.horizon(), None),
         }
     }
 

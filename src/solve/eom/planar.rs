@@ -1005,6 +1005,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
     pub fn in_line(&self, way: T) -> bool {
         LOOKED_THROUGH && self.layout.in_line(way)
     }
+    /// [`Layout::horizon`].
+    pub fn horizon(&self) -> T {
+        self.layout.horizon()
+    }
     /// [`Layout::overruns`].
     pub fn overruns(&self, sense: f64, far: (T, T)) -> Option<T> {
         self.layout.overruns(&self.relaxed, sense, far)

@@ -2,7 +2,7 @@
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, ball, trig};
 use crate::scene::{End, Owner, Quantity, Ray};
-use crate::solve::energy::joined::{Account, Poses, TURNS};
+use crate::solve::energy::joined::{Account, Poses};
 use crate::solve::energy::pendulum::Pendulum;
 use crate::solve::energy::quadrature::Leg;
 use crate::solve::outcome::{Refusal, Road, Scope};
@@ -116,7 +116,7 @@ impl<T: Real> Account<'_, T> {
     pub fn summed(&self, way: T, rest: bool, from: (&Poses<T>, T), points: usize) -> Result<(T, T), Refusal> {
         let far = match self.scene.end {
             End::Angle(..) => way.scale2(1),
-            _ => T::constant(Dd::PI * Dd::new(2.0 * TURNS)),
+            _ => self.layout.horizon(),
         };
         let turning = self.turning(far, from)?;
         self.looked.set(0);

@@ -6,7 +6,7 @@ use crate::num::{Dd, Real};
 use crate::scene::{End, Owner, Quantity, Ray, pose};
 use crate::solve::eom::couple_on;
 use crate::solve::eom::integrate::Event;
-use crate::solve::eom::joined::{Fine, Gain, Motion, Panel, Passes, Stop, Teller, Why, horizon};
+use crate::solve::eom::joined::{Fine, Gain, Motion, Panel, Passes, Stop, Teller, Why};
 use crate::solve::eom::pendulum::Pendulum;
 use crate::solve::eom::planar::{LOOKED_THROUGH, Mechanism, Response, State};
 use crate::solve::outcome::Refusal;
@@ -122,7 +122,7 @@ impl<T: Real> Motion<'_, '_, T> {
             }
             Ok(fallen.is_some())
         };
-        match self.over((T::zero(), self.variable(horizon())), self.from, false, &mut visit) {
+        match self.over((T::zero(), self.variable(self.mechanism.horizon())), self.from, false, &mut visit) {
             Ok(_) => greatest.scale2(1).root(),
             Err(_) => T::of(f64::INFINITY),
         }
