@@ -266,8 +266,11 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
     let arrives = scene.arrivals().next().is_some();
     let recoils = scene.restitution.map(|(joint, _)| scene.joints[joint].name.as_str());
     let turning = named(|b| b.turns).unwrap_or("rod");
+    let straight = scene.restitution.is_some_and(|(joint, _)| {
+        matches!(scene.joints[joint].kind, JointKind::Guide { .. } | JointKind::Contact { rolls: false, .. })
+    });
     #[rustfmt::skip] // a table
-    let rules: [SceneRule; 14] = [
+    let rules: [SceneRule; 15] = [
         (named(|b| b.planar.is_none()), "", "`{}` does not move in the plane, and another body does",
             "write `moves: in the plane` for all of them, with joints"),
         (is(!scene.ties.is_empty()), "ties", "what moves in the plane is held by joints", "write `joints`"),
@@ -281,6 +284,8 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
             "give `arrives` alone: the joints take hold in the impact, and what moves after it follows"),
         (recoils.filter(|_| !arrives || scene.end != End::AtOnce), "joints", "`{}` has a restitution, and acts in an impact alone",
             "give what strikes its `arrives: {speed: v, direction: right}` under `start`, and write `end: at once`"),
+        (recoils.filter(|_| !straight), "joints", "`{}` has a restitution and holds in more than one direction",
+            "write it beside `guides:`, `slides:` or `touches:`: what a pin, a weld or a wheel that rolls throws back is not known"),
         (recoils.filter(|_| scene.pushes.iter().any(|p| p.blow)), "forces", "`{}` has a restitution, and an impulse acts besides",
             "take the impulse away"),
         (rough.filter(|_| struck), "joints", "`{}` is rough, and an impulse acts: what friction does in a blow is not known",
@@ -289,7 +294,7 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
             "only an instant is asked of what is driven: give its angle and spin then, and write `end: at once`"),
         (is(still && speeds > 0), "start", "at rest in equilibrium nothing has a speed or a spin",
             "give the angle alone: from it the equilibrium is looked for, and nothing moves there"),
-        (is(still && struck), "forces", "at rest in equilibrium nothing is struck", "take the impulse away"),
+        (is(still && struck), "forces", "at rest in equilibrium nothing is struck", "take the impulse, or `arrives`, away"),
         (rough.filter(|_| still), "joints", "`{}` is rough, so that there is no one equilibrium", "remove `mu_k`"),
         (Some(turning).filter(|_| scene.lead().is_none()), "start", "the angle at which the motion starts is missing",
             "write `start: {{}: {angle: phi0}}`"),
@@ -402,7 +407,12 @@ fn thrown(scene: &Scene, node: &Node, faults: &Faults) {
         faults.hint(
             part(node, "end"),
             told!("`rolling` ends the slip of a body that is thrown with one; `{name}` is not"),
-            told!("write `slips:` for `{name}` and `start: {{{name}: {{speed: v0, spin: w0}}}}`"),
+            match node.path.ends_with(".next") {
+                true => told!("write `slips:` for `{name}`, and let the motion before it end while it slips"),
+                false => {
+                    told!("write `slips:` for `{name}` and `start: {{{name}: {{speed: v0, spin: w0}}}}`")
+                }
+            },
         );
     }
 }

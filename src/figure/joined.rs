@@ -458,8 +458,10 @@ pub fn hangs(view: &SceneView) -> bool {
 /// Draws the bodies with their joints, forces and sizes.
 pub fn draw(board: &mut Board, view: &SceneView) {
     let Some(plane) = PlaneLayout::new(view) else { return };
-    let runs: Vec<GuideRun> =
-        view.scene.joints.iter().filter_map(|j| GuideRun::new(view, &plane, j)).collect();
+    // What strikes is guided by nothing.
+    let recoils = |j: &usize| view.scene.restitution.is_some_and(|(recoils, _)| recoils == *j);
+    let joints = view.scene.joints.iter().enumerate().filter(|(j, _)| !recoils(j));
+    let runs: Vec<GuideRun> = joints.filter_map(|(_, joint)| GuideRun::new(view, &plane, joint)).collect();
     let others = |i: usize| -> Vec<&GuideRun> {
         runs.iter().enumerate().filter(|(k, _)| *k != i).map(|(_, run)| run).collect()
     };
@@ -1173,7 +1175,12 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
             out.push(say("end", &[("angle", &say::text(view, n, "°"))]));
         }
     }
-    out.extend(view.scene.joints.iter().map(|joint| teller.joint(joint.kind)));
+    for (j, joint) in view.scene.joints.iter().enumerate() {
+        out.push(teller.joint(joint.kind));
+        if let Some((_, e)) = view.scene.restitution.filter(|(recoils, _)| *recoils == j) {
+            out.push(say("impact", &[("e", &say::text(view, e, ""))]));
+        }
+    }
     for push in &view.scene.pushes {
         let (name, unit) = if push.blow { ("blow", "N·s") } else { ("force", "N") };
         let name = if push.toward_m.is_some() { "pull" } else { name };

@@ -10,7 +10,7 @@ use crate::scene::given;
 use crate::scene::pose::{Choice, Gap, Layout};
 use crate::scene::{
     AsIf, Asked, Coordinate, Degree, End, Found, JointKind, Mass, Num, Numbers, Planar, Quantity, Scene,
-    Span, Spot, Tie,
+    Span, Spot, Straight, Tie,
 };
 use crate::solve::ladder::{self, Force, Taken};
 use crate::solve::method::{Method, Rung};
@@ -469,7 +469,7 @@ fn hangs_at_its_pulley(scene: &Scene, body: usize) -> bool {
         scene.joints.iter().any(|j| is(&j.kind) && j.kind.spots().any(|spot| spot.body == body))
     };
     let hangs = held(|kind| matches!(kind, JointKind::Cord { beyond: Some(_), .. }));
-    placed && hangs && held(|kind| matches!(kind, JointKind::Guide { .. }))
+    placed && hangs && held(|kind| matches!(kind, JointKind::Guide { line: Straight { on: None, .. }, .. }))
 }
 
 /// Why joined bodies are not put where the joints and the data say.

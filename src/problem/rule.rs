@@ -368,7 +368,7 @@ pub fn inadmissible(problem: &Problem, scene: &Scene, fault: &Inadmissible) -> S
             admissible::MOST
         ),
         R::Angle => format!("{told}: an angle is from -360 to 360 degrees"),
-        R::Turns => format!("{told}: an angle is reached in 20 turns at most"),
+        R::Turns => format!("{told}: an angle lies within 20 turns of 0"),
         R::Stretch => format!("{told}: must not be above the length of the spring at the start"),
         R::Slope => format!("{told}: a slope is from 0 to 90 degrees"),
         R::NotAbove(other) => {

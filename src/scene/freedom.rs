@@ -69,7 +69,7 @@ impl Scene {
         let rubs = |body: usize| self.ties.iter().any(|t| t.rubbing().is_some_and(|rub| rub.body == body));
         match self.end {
             End::Rolling(_) => true,
-            End::TurningPoint(c) => self.goes_in_phases() && c.degree == Degree::Along && rubs(c.body),
+            End::TurningPoint(c) => c.degree == Degree::Along && rubs(c.body),
             _ => false,
         }
     }

@@ -458,8 +458,20 @@ fn range(scene: &Scene, q: &Question) -> Option<&'static str> {
         Quantity::Phi if scene.goes_in_phases() => return Some("sheet.from_start_to_end"),
         Quantity::Direction if scene.goes_in_phases() => return Some("sheet.at_the_end"),
         // Friction changes where a contact comes to rest.
-        Quantity::A | Quantity::Alpha | Quantity::Friction | Quantity::Tension if scene.ends_slip() => {
+        Quantity::A
+        | Quantity::Alpha
+        | Quantity::Friction
+        | Quantity::Tension
+        | Quantity::RimForce
+        | Quantity::PinForce
+        | Quantity::PinX
+        | Quantity::PinY
+            if scene.ends_slip() =>
+        {
             return Some("sheet.just_before");
+        }
+        Quantity::AngularMomentum if scene.lead().is_some() && scene.pinned().is_none() => {
+            return Some("sheet.about_centre");
         }
         _ => {}
     }

@@ -74,6 +74,8 @@ impl SceneReader<'_> {
             fields.retain(|(key, _)| key.text() != Some("next"));
         }
         let mut next = self.scene(&whole, gravity)?;
+        // The impact that set the first one off does not come again.
+        next.bodies.iter_mut().filter_map(|b| b.planar.as_mut()).for_each(|planar| planar.arrives = None);
         if !WHOLE {
             take_over(first, &mut next, gravity + 1);
             return Some(next);

@@ -156,12 +156,12 @@ impl<'a, T: Real> Phases<'a, T> {
                 Err(refusal) if !all.ended => return Err(refusal),
                 Ok(None) if !all.ended => {
                     all.through = Some(starts);
+                    all.leaves_open();
                     all.if_held(n, &first)?;
                     break;
                 }
                 _ => {
-                    let slips = |t: &usize| all.rolled.iter().all(|(known, _)| known != t);
-                    (0..ties).filter(slips).for_each(|t| all.until[t] = None);
+                    all.leaves_open();
                     break;
                 }
             }
@@ -176,6 +176,15 @@ impl<'a, T: Real> Phases<'a, T> {
             all.ends[i] = T::zero();
         }
         Ok(all)
+    }
+
+    /// When contacts come to rest that still slip is not known.
+    fn leaves_open(&mut self) {
+        for t in 0..self.until.len() {
+            if self.rolled.iter().all(|(known, _)| *known != t) {
+                self.until[t] = None;
+            }
+        }
     }
 
     /// What becomes of contacts at rest: static friction holds each of them, or it slips from there. `None` where one that has come to
