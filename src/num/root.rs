@@ -45,7 +45,12 @@ pub fn changes<T: Real, E>(
 /// The places from 0 to `far` at which an even value, whose bends are all wider than a step, is least or greatest.
 pub fn turns<T: Real, E>((far, step): (T, T), value: &dyn Fn(T) -> Result<T, E>) -> SmallVec<[T; 4]> {
     let hair = step.scale2(-20);
-    changes((far, step), &[], &|x| Ok::<_, E>(value(x + hair)? - value(x)?)).unwrap_or_default()
+    let grows = |x: T| {
+        let more = value(x + hair)?.apart(value(x)?);
+        // What stays as it is does not turn.
+        Ok::<_, E>(if more.is_zero() { T::of(1.0) } else { more })
+    };
+    changes((far, step), &[], &grows).unwrap_or_default()
 }
 
 /// How a way is looked through: the first step, the widest to which steps grow, and the steps at least from one stop to the next.

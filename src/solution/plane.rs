@@ -2206,6 +2206,9 @@ impl<'d, 'a> Plane<'d, 'a> {
             let is = number(2) * self.draft.pi() / frequency;
             return Ok(Some(self.page.find_once(&[r"\tau_0", r"\tau_s"], "s", is)));
         }
+        if let (Q::AngularMomentum, Owner::Body(b), None) = (label.quantity, label.of, self.scene.pinned()) {
+            return self.own_momentum(b).map(Some);
+        }
         let Some(pivot) = self.pivot.clone() else { return Ok(None) };
         let ([r, s], about) = (pivot.force, pivot.about);
         let mgh = self.bodies[0].mass.times(&self.g).times(&pivot.h);
@@ -2243,6 +2246,15 @@ impl<'d, 'a> Plane<'d, 'a> {
             _ => return Ok(None),
         };
         Ok(Some(self.page.find_once(&names, label.quantity.unit(), is)))
+    }
+    /// The angular momentum of a body about its mass centre.
+    fn own_momentum(&mut self, body: usize) -> Result<SymbolId, DerivationStop> {
+        let omega = self.get(of_body(Quantity::Omega, body))?;
+        let it = &self.bodies[body];
+        let names = ["L", r"\Lambda"].map(|l| tagged(l, &it.tag));
+        let own = sum(it.inertia.iter().map(Factors::expr));
+        let is = if self.symbols.value(omega) == 0.0 { ZERO } else { own * Expr::from(omega) };
+        Ok(self.page.find_once(&names, Quantity::AngularMomentum.unit(), is))
     }
     /// Velocities and energy right after a blow on bodies at rest.
     fn just_after(&mut self, blow: &Blow, label: Label) -> Option<SymbolId> {

@@ -152,3 +152,40 @@ end: {{angle: {{of: arm, reaches: {} deg}}}}
     all_near(&found, &[w, phi, 2.0 * phi / w, 0.005 * 3.0 * w], 1e-12);
     assert!(read(&scene(21.0)).is_err());
 }
+
+/// A couple brakes an arm that passes a short spring in each turn: in its third one it may no longer have the energy for it. With
+/// `E = E_0 - M q - k (l_0 - l)^2/2` the time is the integral of `sqrt(J/2E)`.
+#[test]
+fn a_spring_is_met_in_every_turn() {
+    let scene = |energy: f64, reaches: u32| {
+        format!(
+            "
+bodies: {{arm: {{mass: 3 kg, shape: {{rod: 0.3 m}}, moves: in a horizontal plane, angle: from right}}}}
+joints: {{O: {{pins: arm.A}}}}
+forces:
+  - couple: {{on: arm, moment: 0.5 N*m, sense: back}}
+  - spring: {{on: arm.B, to: [-0.301 m, 0 m], stiffness: 1e6 N/m, natural length: 0.004 m, only: pushes}}
+start: {{arm: {{angle: 0 deg, spin: {} rad/s}}}}
+end: {{angle: {{of: arm, reaches: {reaches} deg}}}}
+",
+            (2.0 * energy / 0.09).sqrt()
+        )
+    };
+    let left = |energy: f64, q: f64| {
+        let pressed = f64::max(0.0, 0.004 - f64::hypot(0.301 + 0.3 * q.cos(), 0.3 * q.sin()));
+        energy - 0.5 * q - 0.5e6 * pressed * pressed
+    };
+    for (energy, reaches) in [(13.0, 1080), (20.0, 1800)] {
+        let far = f64::from(reaches).to_radians();
+        let steps = 2_000_000;
+        let each = far / f64::from(steps);
+        let time: f64 =
+            (0..steps).map(|i| each * (0.045 / left(energy, (f64::from(i) + 0.5) * each)).sqrt()).sum();
+        let found = told(&scene(energy, reaches), &["omega", "t"]);
+        all_near(&found[..1], &[(left(energy, far) / 0.045).sqrt()], 1e-12);
+        all_near(&found[1..], &[time], 1e-7);
+    }
+    let stopped = agree::solve(&constants(&scene(11.0, 950)).problems[0].cases[0].scene, &[G]).unwrap();
+    let failed: Vec<CheckKind> = stopped.checks.iter().filter(|c| !c.ok).map(|c| c.kind).collect();
+    assert_eq!(failed, [CheckKind::Reaches]);
+}

@@ -982,10 +982,11 @@ impl<'a, T: Real> Mechanism<'a, T> {
     pub fn meets(&self, sense: f64, far: (T, T)) -> SmallVec<[(usize, T); 4]> {
         let one_sided = |s: &usize| self.scene.struts[*s].acts != Acts::Both;
         let all = (0..self.scene.struts.len()).filter(one_sided);
-        all.flat_map(|s| {
-            self.passes(s, sense, far)[0].clone().into_iter().map(move |way| (s, way.signed(sense)))
-        })
-        .collect()
+        let ways = all.flat_map(|s| {
+            let [met, _] = self.passes(s, sense, far);
+            met.into_iter().map(move |way| (s, way.signed(sense)))
+        });
+        ways.collect()
     }
     /// After which ways a spring has its natural length, and where it is shortest or longest: between two of those it is met once at
     /// most, however short it is.
