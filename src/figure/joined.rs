@@ -271,6 +271,11 @@ impl PlaneLayout {
             _ => None,
         });
         let (side, off) = lies.unwrap_or((axis, 0.0));
+        // What strikes lies on the side from which it comes.
+        let arrives = view.scene.planar(body).and_then(|planar| planar.arrives);
+        let beyond = arrives
+            .is_some_and(|arrives| Vec2::at_degrees(view.of(arrives.direction_deg)).dot(&side.left()) > 1e-9);
+        let off = if beyond { -off } else { off };
         let (a, b) = (side * 15.0, side.left() * 10.0);
         let origin = origin + side.left() * off;
         [origin + a + b, origin - a + b, origin - a - b, origin + a - b]
@@ -1176,9 +1181,18 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
         }
     }
     for (j, joint) in view.scene.joints.iter().enumerate() {
-        out.push(teller.joint(joint.kind));
-        if let Some((_, e)) = view.scene.restitution.filter(|(recoils, _)| *recoils == j) {
-            out.push(say("impact", &[("e", &say::text(view, e, ""))]));
+        match (joint.kind, view.scene.restitution.filter(|(recoils, _)| *recoils == j)) {
+            (JointKind::Guide { at, line, .. }, Some((_, e))) => {
+                let struck = line.on.map(|on| names::the_body(view.words, view.scene, on.body));
+                let struck = struck.unwrap_or_else(|| teller.line(line.direction_deg));
+                let (point, e) = (teller.called(at), say::text(view, e, ""));
+                out.push(say("strikes", &[("point", &point), ("struck", &struck), ("e", &e)]));
+            }
+            (kind, Some((_, e))) => {
+                out.push(teller.joint(kind));
+                out.push(say("impact", &[("e", &say::text(view, e, ""))]));
+            }
+            (kind, None) => out.push(teller.joint(kind)),
         }
     }
     for push in &view.scene.pushes {
