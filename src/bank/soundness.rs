@@ -285,7 +285,7 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
         (recoils.filter(|_| !arrives || scene.end != End::AtOnce), "joints", "`{}` has a restitution, and acts in an impact alone",
             "give what strikes its `arrives: {speed: v, direction: right}` under `start`, and write `end: at once`"),
         (recoils.filter(|_| !straight), "joints", "`{}` has a restitution and holds in more than one direction",
-            "write it beside `guides:`, `slides:` or `touches:`: what a pin, a weld or a wheel that rolls throws back is not known"),
+            "write it beside `guides:` or `slides:`: what a pin, a weld or a wheel that rolls throws back is not known"),
         (recoils.filter(|_| scene.pushes.iter().any(|p| p.blow)), "forces", "`{}` has a restitution, and an impulse acts besides",
             "take the impulse away"),
         (rough.filter(|_| struck), "joints", "`{}` is rough, and an impulse acts: what friction does in a blow is not known",

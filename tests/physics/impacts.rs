@@ -111,6 +111,10 @@ fn impacts_that_are_none_are_refused() {
     refused(THROWN_BACK.replace(", restitution: 0.4", ", mu_k: 0.4"), "what friction does in a blow");
     refused(THROWN_BACK.replace("{spin: -1.5 rad/s}", "{}"), "no such velocity before the impact");
     refused(THROWN_BACK.replace("arrives: {spin: -1.5 rad/s}", "spin: -1.5 rad/s"), "beside another one");
+    let pinned = THROWN_BACK
+        .replace("{pins: rod.A}", "{pins: rod.A, restitution: 0.4}")
+        .replace(", restitution: 0.4}\nstart", "}\nstart");
+    refused(pinned, "`O` has a restitution and holds in more than one direction");
     let bent = THROWN_BACK.replace("{spin: -1.5 rad/s}", "{speed: 1 m/s, direction: right}");
     let solved = agree::solve(&constants(&bent).problems[0].cases[0].scene, &[G]);
     assert!(matches!(solved, Err(Refusal::Unsupported(Unsupported::HeldBefore))), "{solved:?}");
