@@ -64,14 +64,17 @@ impl Scene {
             && (slips() || self.freedoms() > 1)
     }
 
+    /// Is it the end that the contact of this tie comes to rest?
+    pub fn ends_with(&self, tie: usize) -> bool {
+        self.ties[tie].rubbing().is_some_and(|rub| match self.end {
+            End::Rolling(c) => rub.radius_m.is_some() && c.body == rub.body,
+            End::TurningPoint(c) => rub.radius_m.is_none() && c.body == rub.body,
+            _ => false,
+        })
+    }
     /// Does it end where a contact that rubs comes to rest?
     pub fn ends_slip(&self) -> bool {
-        let rubs = |body: usize| self.ties.iter().any(|t| t.rubbing().is_some_and(|rub| rub.body == body));
-        match self.end {
-            End::Rolling(_) => true,
-            End::TurningPoint(c) => c.degree == Degree::Along && rubs(c.body),
-            _ => false,
-        }
+        (0..self.ties.len()).any(|tie| self.ends_with(tie))
     }
 
     /// [`Scene::freedoms`] for these numbers: another count where data are equal by chance.

@@ -336,7 +336,7 @@ impl<T: Real> Follower<'_, '_, T> {
         let own = self.rubbing().map(|(t, _)| t);
         let resting: SmallVec<[usize; 2]> = own.filter(|t| at_rest.contains(t) || stays(t)).collect();
         let loose = self.yields(&resting, &held.1);
-        let own = at_rest.iter().find(|t| !starts && self.ends_with(**t));
+        let own = at_rest.iter().find(|t| !starts && self.scene.ends_with(**t));
         // At its turning point it ends, held or not.
         all.ended |= own.is_some() && matches!(self.scene.end, End::TurningPoint(_));
         if !starts && loose.iter().any(|t| slips(self.scene, *t)) {
@@ -466,23 +466,15 @@ impl<T: Real> Follower<'_, '_, T> {
         rests
     }
 
-    /// Is it the end that this contact comes to rest?
-    fn ends_with(&self, tie: usize) -> bool {
-        self.scene.ties[tie].rubbing().is_some_and(|rub| match self.scene.end {
-            End::Rolling(c) => rub.radius_m.is_some() && c.body == rub.body,
-            End::TurningPoint(c) => rub.radius_m.is_none() && c.body == rub.body,
-            _ => false,
-        })
-    }
-
     /// When the end comes in this phase, from its start, unless a contact comes to rest before.
     fn end_in(&mut self, from: &Mode<T>, rate: &Mode<T>, next: Option<T>) -> Option<T> {
         // Where ties stop it together with that contact, both times are one.
         let in_time = |time: &T| next.is_none_or(|next| !next.below(*time) || next.apart(*time).is_zero());
         let end = self.scene.ending_coordinate();
         let (u0, gain) = (from.of(end), rate.of(end));
-        let own =
-            |held| (0..self.kinetic.len()).any(|t| self.kinetic[t].is_none() == held && self.ends_with(t));
+        let own = |held| {
+            (0..self.kinetic.len()).any(|t| self.kinetic[t].is_none() == held && self.scene.ends_with(t))
+        };
         let [holds, rubs] = [true, false].map(own);
         if self.sense == 0.0 {
             self.sense = [u0, gain].iter().map(|x| x.sign()).find(|s| *s != 0.0).unwrap_or(0.0);

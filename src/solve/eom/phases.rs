@@ -211,7 +211,7 @@ impl<'a, T: Real> Phases<'a, T> {
         let resting: SmallVec<[usize; 4]> =
             (0..setting.holds.len()).filter(|t| at_rest.contains(t) || stays(t)).collect();
         let loose = self.too_weak(n, &resting, &held);
-        let own = at_rest.iter().find(|t| !sets_off && !self.ended && self.ends_with(**t));
+        let own = at_rest.iter().find(|t| !sets_off && !self.ended && self.scene.ends_with(**t));
         if own.is_some() && matches!(self.scene.end, End::TurningPoint(_)) {
             // It ends there whether it can be held or not.
             self.ended = true;
@@ -239,16 +239,6 @@ impl<'a, T: Real> Phases<'a, T> {
             self.after = Some((setting.clone(), settled.0.clone()));
         }
         Ok(Some(settled))
-    }
-
-    /// Is it the end that this contact comes to rest?
-    fn ends_with(&self, tie: usize) -> bool {
-        let Some(rub) = self.scene.ties[tie].rubbing() else { return false };
-        match self.scene.end {
-            End::Rolling(c) => c.body == rub.body && rub.radius_m.is_some(),
-            End::TurningPoint(c) => c.body == rub.body && rub.radius_m.is_none(),
-            _ => false,
-        }
     }
 
     /// Forces and accelerations, and what friction the contacts need.
@@ -401,7 +391,7 @@ impl<'a, T: Real> Phases<'a, T> {
         // What ties bring to rest with that contact comes to rest at the same time, whatever its last digits.
         let by_then = |time: &T| rest.is_none_or(|rest| !rest.below(*time) || rest.apart(*time).is_zero());
         let end = self.scene.ending_coordinate();
-        let own = |held: bool| (0..leg.holds.len()).any(|t| leg.holds[t] == held && self.ends_with(t));
+        let own = |held: bool| (0..leg.holds.len()).any(|t| leg.holds[t] == held && self.scene.ends_with(t));
         let [holds, rubs] = [true, false].map(own);
         let [v, a] = [&leg.speeds, &leg.rates].map(|of| self.of(of, end.body, end.degree));
         if self.sense == 0.0 && !self.ended {
