@@ -888,8 +888,10 @@ fn a_player_of_qti_3_scores_the_key_fully_and_what_is_beyond_the_tolerance_not_a
     let room = Room::new();
     let mut items = Vec::new();
     let (mut negative, mut judged) = (0, 0);
-    for language in ["en", "de"] {
-        for bank in support::bank_names() {
+    for (turn, language) in ["en", "de"].into_iter().enumerate() {
+        for (_, bank) in
+            support::bank_names().enumerate().filter(|(i, _)| !support::is_quick() || i % 2 == turn)
+        {
             let set = room.set(bank, language);
             for (name, bytes) in unpacked(&room.export(&set, "qti3", &[])) {
                 let Some(code) = name.strip_prefix("items/").and_then(|n| n.strip_suffix(".xml")) else {

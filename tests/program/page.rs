@@ -464,9 +464,10 @@ fn sheets_check_themselves_in_a_browser() {
     }
     let room = tempfile::tempdir().unwrap();
     let (made, all) = &*SHEETS;
-    let sheets: Vec<_> = all
-        .iter()
-        .map(|made| {
+    let (quick, banks) = (support::is_quick(), all.len() / 2);
+    let opened = all.iter().enumerate().filter(|(i, _)| !quick || (i % banks) % 2 == i / banks);
+    let sheets: Vec<_> = opened
+        .map(|(_, made)| {
             let rounds: Vec<Vec<_>> = made.rounds.iter().map(|round| round.iter().map(case).collect()).collect();
             serde_json::json!({
                 "file": made.folder.join("sheet.html"), "parts": made.parts, "rounds": rounds, "answers": "answers-0017.csv",
@@ -492,13 +493,10 @@ fn sheets_check_themselves_in_a_browser() {
     // The same seed, name and student: the same data as in the sheet that is one file.
     let first = &all[0].rounds[0][0];
     let cases = serde_json::json!({
-        "sheets": sheets,
+        "sheets": sheets, "practice": practice(&at("practice.html")), "hints": if quick { 100 } else { 300 },
         "site": {"folder": format!("{site}/students"), "sheet": "0017/sheet.html", "part": first.part, "cell": first.cell},
         "off": format!("{off}/students/0017/sheet.html"),
     });
-    let practice = practice(&at("practice.html"));
-    let mut cases = cases;
-    cases["practice"] = practice;
     std::fs::write(at("cases.json"), cases.to_string()).unwrap();
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/browser/page.mjs");
     let done = Command::new("node").arg(script).arg(at("cases.json")).output().unwrap();

@@ -89,3 +89,9 @@ pub fn seeds(full: u32) -> u32 {
     let asked = std::env::var("SLIPSTICK_SEEDS").ok();
     asked.map_or(100, |n| n.parse().expect("SLIPSTICK_SEEDS is a whole number")).min(full)
 }
+
+/// Are there so few draws that a browser, which takes its time, opens the sheets of each bank in one of the two languages?
+#[allow(dead_code, reason = "each program of tests takes what it needs")]
+pub fn is_quick() -> bool {
+    seeds(1000) < 1000
+}
