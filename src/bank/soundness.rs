@@ -213,7 +213,10 @@ fn carrier(scene: &Scene, node: &Node, faults: &Faults) {
     let hangs = scene.bodies.iter().find(hanging).map(|b| b.name.as_str());
     let aside = carrier.slope != Slope::Vertical && carrier.acceleration_m_s2 != Num::Fixed(0.0);
     #[rustfmt::skip] // a table
-    let rules: [SceneRule; 7] = [
+    let rules: [SceneRule; 8] = [
+        (is(carrier.slope != Slope::Vertical && scene.is_any_turned_round()), "ties",
+            "a cord leaves both its bodies to the same side, so one of the two surfaces is drawn turned round, and is carried the other way",
+            "let it leave one body to the right and the other to the left, such as `leaves: forward` on the slope and `leaves: back` on the table"),
         (hangs.filter(|_| aside), "carried", "`{}` moves vertically, and nothing gives it an acceleration sideways",
             "let it move along a surface of `slope: 90 deg`, which guides it, or write `moves: in the plane` for what swings back"),
         (is(scene.lies_level() && carrier.slope == Slope::Vertical), "carried", "a lift moves across a horizontal plane, not in it",

@@ -6,7 +6,7 @@
 use crate::figure::view::SceneView;
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::scene::{
-    Attach, Cord, CordEnd, Degree, End, Far, Line, Made, Num, RotaryInertia, Side, Slope, Tie,
+    Aim, Attach, Cord, CordEnd, Degree, End, Far, Line, Made, Num, RotaryInertia, Side, Slope, Tie,
 };
 use std::f64::consts::PI;
 
@@ -414,7 +414,7 @@ impl Builder<'_> {
     }
 
     /// A body with its directions, still at the origin.
-    fn loose(&mut self, body: usize, mirrored: bool) -> Placed {
+    fn loose(&mut self, body: usize) -> Placed {
         let look = look(&self.view, body, self.scale);
         let line = self.view.scene.bodies[body].line;
         let contact = self.contact(body, &look);
@@ -423,7 +423,7 @@ impl Builder<'_> {
         match line {
             None => {}
             Some(Line { surface: true, slope, forward_up }) => {
-                let ground = self.ground(slope, mirrored);
+                let ground = self.ground(slope, self.view.scene.is_turned_round(body));
                 let g = &self.grounds[ground];
                 placed.forward = if forward_up { g.up } else { -g.up };
                 (placed.top, placed.contact, placed.on) = (g.out, contact, Some(ground));
@@ -441,7 +441,7 @@ impl Builder<'_> {
     /// Places the first body of a group. True if it stands on a surface that is already there.
     fn root(&mut self, body: usize) -> bool {
         let before = self.grounds.len();
-        let mut placed = self.loose(body, false);
+        let mut placed = self.loose(body);
         let mut shared = false;
         if let Some(ground) = placed.on {
             let mut s = 0.0;
@@ -475,7 +475,7 @@ impl Builder<'_> {
             return;
         };
         let wheels: Vec<_> = pairs.iter().filter(|(other, ..)| other == load).collect();
-        let mut placed = |b: usize| self.bodies[b].clone().unwrap_or_else(|| self.loose(b, false));
+        let mut placed = |b: usize| self.bodies[b].clone().unwrap_or_else(|| self.loose(b));
         let (mut above, stand) = (placed(*load), placed(first).centre);
         let mut below: Vec<Placed> = wheels.iter().map(|(_, wheel, _)| placed(*wheel)).collect();
         let Some(g) = above.on.map(|g| self.grounds[g].clone()) else { return };
@@ -527,10 +527,18 @@ impl Builder<'_> {
         }
     }
 
-    /// Direction in which a cord leaves a placed body; `None` where the body does not say (a fixed axle).
-    fn leaves(&self, placed: &Placed, end: CordEnd) -> Option<Vec2> {
-        self.view.scene.bodies[end.body].line?;
-        Some(if end.forward { placed.forward } else { -placed.forward })
+    /// Direction in which a cord to another end leaves a placed body; `None` where it is not told (a fixed axle beside a slope).
+    fn leaves(&self, placed: &Placed, end: CordEnd, other: Option<&CordEnd>) -> Option<Vec2> {
+        let scene = self.view.scene;
+        let (axis, positive) = match scene.bodies[end.body].line {
+            Some(_) => (placed.forward, end.forward),
+            None => match scene.aim(&end, other)? {
+                Aim::Upright(up) => (Vec2::UP, up),
+                Aim::Level(right) if !scene.is_any_turned_round() => (Vec2::RIGHT, right),
+                _ => return None,
+            },
+        };
+        Some(if positive { axis } else { -axis })
     }
 
     /// Where a cord leaves a body in a direction.
@@ -570,12 +578,8 @@ impl Builder<'_> {
     fn ending(&mut self, tie: usize, cord: &Cord) -> CordRun {
         let end = cord.from;
         let placed = self.bodies[end.body].clone().expect("a placed body");
-        let towards = self.leaves(&placed, end).unwrap_or_else(|| match end.upright {
-            Some(true) => Vec2::UP,
-            Some(false) => Vec2::DOWN,
-            None if end.forward => placed.forward,
-            None => -placed.forward,
-        });
+        let ahead = if end.forward { placed.forward } else { -placed.forward };
+        let towards = self.leaves(&placed, end, None).unwrap_or(ahead);
         let towards = end.tilt_deg.map_or(towards, |tilt| {
             let tilt = self.view.of(tilt);
             placed.direction(if end.forward { tilt } else { 180.0 - tilt })
@@ -621,9 +625,10 @@ impl Builder<'_> {
         let known = self.bodies[far.body].clone();
         let grounds = self.grounds.len();
         let placed = known.is_some();
-        let to = known.unwrap_or_else(|| self.loose(far.body, from.on.is_some()));
-        let arrives = self.leaves(&to, far);
-        let away = match (self.leaves(&from, near), arrives) {
+        let leaves = self.leaves(&from, near, Some(&far));
+        let to = known.unwrap_or_else(|| self.loose(far.body));
+        let arrives = self.leaves(&to, far, Some(&near));
+        let away = match (leaves, arrives) {
             (Some(e), _) => e,
             (None, Some(e)) => -e,
             (None, None) if placed => (to.centre - from.centre).unit(),
@@ -651,7 +656,7 @@ impl Builder<'_> {
     fn mesh(&mut self, (tie, made): (usize, Made), near: CordEnd, far: CordEnd) -> CordRun {
         let from = self.bodies[near.body].clone().expect("a placed body");
         let known = self.bodies[far.body].clone();
-        let mut to = known.clone().unwrap_or_else(|| self.loose(far.body, false));
+        let mut to = known.clone().unwrap_or_else(|| self.loose(far.body));
         let radius = |end: CordEnd| match end.attach {
             Attach::Wound(radius, _) => self.radius(radius),
             Attach::Centre => 0.0,
@@ -760,10 +765,13 @@ impl Builder<'_> {
     /// A cord over a guide pulley, which is told: it turns the short way.
     fn guided(&mut self, joint: &mut BodyPair, pieces: &mut Vec<CordPiece>) -> (Vec2, f64) {
         let BodyPair { from, to, away, back, at, start, .. } = &*joint;
-        let (away, travel) = (*away, -*back);
-        let clockwise = away.perp(&travel) < 1e-9;
+        let (away, back) = (*away, *back);
+        let travel = -back;
+        // Where it turns right round, to the side on which the cord leaves.
+        let (turn, beside) = (away.perp(&travel), (*at - from.centre).perp(&away));
+        let clockwise = if turn.abs() < 1e-9 { beside > -1e-9 } else { turn < 0.0 };
         let inward = |d: Vec2| if clockwise { d.right() } else { d.left() };
-        let both_hang = away.dot(back) > 0.9;
+        let both_hang = away.dot(&back) > 0.9;
         let half = |p: &Placed| p.reach(away.right());
         let radius = if both_hang { ((half(from) + half(to)) / 2.0 + 12.0).max(GUIDE) } else { GUIDE };
         let first = *at + away * (from.reach(away) + radius + if both_hang { 70.0 } else { 52.0 });
@@ -782,7 +790,7 @@ impl Builder<'_> {
             let drop = to.reach(travel) + radius + if both_hang { 96.0 } else { 50.0 };
             self.meet(joint, second + travel * drop);
             // Surfaces end before the pulley.
-            let fresh = joint.to.on.filter(|g| *g >= joint.grounds);
+            let fresh = joint.to.on.filter(|g| *g >= joint.grounds && back.dot(&self.grounds[*g].up) > 0.0);
             let below = joint.from.on.filter(|g| away.dot(&(self.grounds[*g].up)) > 0.0);
             for ground in [fresh, below].into_iter().flatten() {
                 let g = &self.grounds[ground];

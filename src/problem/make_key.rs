@@ -212,7 +212,6 @@ pub fn word_signs(scene: &Scene, label: Label) -> Option<WordSigns> {
         Owner::Strut(s) => scene.struts.get(s).map(|s| s.at.body),
         _ => scene.bare_body().or(scene.lead()),
     };
-    let body = of.and_then(|b| scene.bodies.get(b));
     let joint = match owner {
         Owner::Joint(j) => scene.joints.get(j).map(|joint| joint.kind),
         _ => None,
@@ -223,7 +222,7 @@ pub fn word_signs(scene: &Scene, label: Label) -> Option<WordSigns> {
     let rubs = matches!(label.quantity, Q::Friction | Q::FrictionIfRolled);
     Some(match (label.quantity, joint) {
         (Q::A | Q::ARolling | Q::Displacement | Q::Impulse | Q::Friction | Q::FrictionIfRolled, None) => {
-            body.map_or(forward, |b| along(scene, b, rubs))
+            of.map_or(forward, |b| along(scene, b, rubs))
         }
         (Q::Friction, Some(kind)) if kind.is_level(scene) => WordSigns { right: 1, ..forward },
         (Q::Friction, Some(_)) => up,
@@ -243,7 +242,7 @@ pub fn word_signs(scene: &Scene, label: Label) -> Option<WordSigns> {
         (Q::PinTangential, _) => forward,
         (Q::Moment, Some(_)) => WordSigns { counter_clockwise: 1, ..nothing },
         (Q::Alpha | Q::Moment | Q::Drive, _) => {
-            WordSigns { counter_clockwise: body.map_or(0, |b| turn(scene, b)), ..nothing }
+            WordSigns { counter_clockwise: of.map_or(0, |b| turn(scene, b)), ..nothing }
         }
         _ => nothing,
     })
@@ -254,43 +253,34 @@ const fn sign(positive: bool) -> i8 {
 }
 
 /// What words say of the sign of what acts along the line of a body: positive up the incline if it rubs, else forward.
-fn along(scene: &Scene, body: &Body, rubs: bool) -> WordSigns {
-    let ahead = sign(body.line.is_none_or(|line| line.forward_up));
+fn along(scene: &Scene, body: usize, rubs: bool) -> WordSigns {
+    let line = scene.bodies[body].line;
+    let ahead = sign(line.is_none_or(|line| line.forward_up));
     let (up, forward) = if rubs { (1, ahead) } else { (ahead, 1) };
     let nothing = WordSigns { forward, ..WordSigns::default() };
-    match body.line {
+    match line {
         Some(line) if line.slope != Slope::Level => WordSigns { up, ..nothing },
-        Some(_) if rises_to_the_right(scene) => WordSigns { right: up, ..nothing },
-        _ => nothing,
+        Some(_) => WordSigns { right: if scene.is_turned_round(body) { -up } else { up }, ..nothing },
+        None => nothing,
     }
 }
 
-/// 1 where a positive turn of a body is counter-clockwise, -1 where it is clockwise, 0 where the scene does not say.
-fn turn(scene: &Scene, body: &Body) -> i8 {
-    match (&body.planar, body.line) {
+/// 1 where a positive turn of a body is counter-clockwise, -1 where it is clockwise.
+fn turn(scene: &Scene, body: usize) -> i8 {
+    let Body { planar, line, .. } = &scene.bodies[body];
+    match (planar, line) {
         (Some(planar), _) => sign(!planar.clockwise),
-        (_, Some(line)) if line.surface && !rises_to_the_right(scene) => 0,
-        (_, Some(line)) => sign(line.surface && !line.forward_up),
+        (_, Some(line)) => sign(line.surface && line.forward_up == scene.is_turned_round(body)),
         _ => -1,
     }
 }
 
 /// The phrase that tells which turn is forward, where the direction of what only turns is asked.
 pub fn turns_forward(scene: &Scene, label: Label) -> Option<&'static str> {
-    let body = scene.bodies.get(scene.ending_coordinate().body)?;
+    let ending = scene.ending_coordinate().body;
+    let body = scene.bodies.get(ending)?;
     let turns = label.quantity == Quantity::Direction && body.line.is_none() && body.planar.is_none();
-    turns.then(|| if turn(scene, body) > 0 { "sheet.forward_left" } else { "sheet.forward_right" })
-}
-
-/// Does what bodies move on rise to the right, as it is drawn? Of two surfaces one may rise to the left.
-fn rises_to_the_right(scene: &Scene) -> bool {
-    let mut known = None;
-    for line in scene.bodies.iter().filter_map(|b| b.line) {
-        if line.surface && known.replace(line.slope).is_some_and(|slope| slope != line.slope) {
-            return false;
-        }
-    }
-    true
+    turns.then(|| if turn(scene, ending) > 0 { "sheet.forward_left" } else { "sheet.forward_right" })
 }
 
 /// The list of words of which one answers a question in words, on the sheet of this scene.

@@ -1,6 +1,6 @@
 //! The directions in which cords pull at a body about a fixed axle, as far as a scene tells them: the force of its axle hangs on them.
 use crate::num::Real;
-use crate::scene::{CordEnd, Far, Made, Mass, Num, Numbers, Scene, Slope, Tie, pose};
+use crate::scene::{Cord, CordEnd, Far, Line, Made, Mass, Num, Numbers, Scene, Slope, Tie, pose};
 use smallvec::SmallVec;
 
 /// A direction of the plane.
@@ -58,25 +58,62 @@ impl Scene {
         Some(pulls)
     }
 
+    /// The slopes on which bodies lie, and whether a picture turns each surface round: a cord that leads from one surface to another
+    /// leaves one body to the right and the other to the left. From a wall, which faces left, it leads upward to the right.
+    fn turned_round(&self) -> SmallVec<[(Slope, bool); 2]> {
+        let on = |body: usize| self.bodies[body].line.filter(|line| line.surface);
+        let right = |end: &CordEnd| on(end.body).map(|line| (line.slope, end.forward == line.forward_up));
+        let mut known: SmallVec<[(Slope, bool); 2]> = SmallVec::new();
+        for slope in (0..self.bodies.len()).filter_map(|b| Some(on(b)?.slope)) {
+            let mut next = Some((slope, false));
+            while let Some((slope, turned)) = next.take() {
+                if known.iter().all(|(other, _)| *other != slope) {
+                    known.push((slope, turned));
+                }
+                let leads = |tie: &Tie| {
+                    let Tie::Cord(Cord { from, to: Far::Body(to), .. }) = tie else { return None };
+                    let ends = [right(from)?, right(to)?];
+                    let turned =
+                        |slope| known.iter().find(|(other, _)| *other == slope).map(|(_, turned)| *turned);
+                    match ends.map(|(slope, _)| turned(slope)) {
+                        [Some(turned), None] => Some((ends[1].0, (ends[0].1 == ends[1].1) != turned)),
+                        [None, Some(turned)] => Some((ends[0].0, (ends[0].1 == ends[1].1) != turned)),
+                        _ => None,
+                    }
+                };
+                next = self.ties.iter().find_map(leads);
+            }
+        }
+        known
+    }
+
+    /// Is any surface drawn turned round?
+    #[cfg(feature = "program")]
+    pub fn is_any_turned_round(&self) -> bool {
+        self.turned_round().iter().any(|(_, turned)| *turned)
+    }
+
+    /// Is the surface on which a body lies drawn turned round, rising to the left?
+    pub fn is_turned_round(&self, body: usize) -> bool {
+        let slope = self.bodies[body].line.filter(|line| line.surface).map(|line| line.slope);
+        self.turned_round().iter().any(|(other, turned)| *turned && Some(*other) == slope)
+    }
+
     /// The direction in which a cord leaves a fixed axle: parallel to the slope of the body at its other end, if that is on one.
-    fn aim(&self, own: &CordEnd, other: Option<&CordEnd>) -> Option<Aim> {
+    pub fn aim(&self, own: &CordEnd, other: Option<&CordEnd>) -> Option<Aim> {
         if let Some(tilt) = own.tilt_deg {
             return Some(Aim::Tilted(tilt, own.forward));
         }
-        if let Some(up) = own.upright {
-            return Some(Aim::Upright(up));
-        }
-        let sloped = |end: &&CordEnd| {
-            matches!(self.bodies[end.body].line.map(|line| line.slope), Some(Slope::Degrees(_)))
-        };
-        match other.filter(sloped) {
-            // From one end to the other; what goes round a corner on the way has no direction of its own, and of what counts positive
-            // down a slope a picture may show either side.
-            Some(end) => {
-                let up = self.bodies[end.body].line.is_some_and(|line| line.forward_up);
-                (up && own.forward != end.forward).then_some(Aim::Along(end.body, !end.forward))
+        let line = other.and_then(|end| Some((end, self.bodies[end.body].line?)));
+        match (line, own.upright) {
+            // From one end to the other; what goes round a corner has no direction of its own, and of what counts positive down a slope
+            // a picture may show either side.
+            (Some((end, Line { slope: Slope::Degrees(_), forward_up, .. })), _) => {
+                (forward_up && own.forward != end.forward).then_some(Aim::Along(end.body, !end.forward))
             }
-            None => Some(Aim::Level(own.forward)),
+            (Some((_, Line { slope: Slope::Level, .. })), Some(_)) => None,
+            (_, Some(up)) => Some(Aim::Upright(up)),
+            _ => Some(Aim::Level(own.forward)),
         }
     }
 }

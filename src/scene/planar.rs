@@ -56,7 +56,9 @@ impl Planar {
 /// How a body moves just before an impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arrives {
-    /// Speed of its mass centre, m/s. Where it is 0 a pinned body turns about its pin.
+    /// Is no speed told? A pinned body then turns about its pin.
+    pub turns_alone: bool,
+    /// Speed of its mass centre, m/s.
     pub speed_m_s: Num,
     /// Direction of that speed, degrees counter-clockwise from the right.
     pub direction_deg: Num,
@@ -453,7 +455,7 @@ impl Scene {
     /// The point of a body about which it turns just before an impact: that at its pin.
     pub fn turns_about(&self, (body, arrives): (usize, Arrives)) -> Option<Spot> {
         self.joints.iter().find_map(|joint| match joint.kind {
-            JointKind::Pin { at, .. } if at.body == body && arrives.speed_m_s == Num::Fixed(0.0) => Some(at),
+            JointKind::Pin { at, .. } if at.body == body && arrives.turns_alone => Some(at),
             _ => None,
         })
     }

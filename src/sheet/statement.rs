@@ -11,11 +11,12 @@
 //! `ask` of a question is a template too and sees the same, but for `questions`.
 use crate::bank::decimal::Decimal;
 use crate::bank::{Bank, Datum, Problem, Question, expression};
+use crate::figure::names;
 use crate::finding::{Finding, Findings};
 use crate::num::{elliptic, shown};
 use crate::problem::make_key;
 use crate::problem::maker::Variant;
-use crate::scene::{Label, Num, Quantity, Scene, Span, Start};
+use crate::scene::{JointKind, Label, Num, Owner, Quantity, Scene, Span, Start};
 use crate::sheet::document;
 use crate::template::{self, Templates, View};
 use crate::words::Words;
@@ -433,6 +434,15 @@ fn form(
         Quantity::PinTangential => Some("sheet.with_angle"),
         _ => scene.may_push(q.label).then_some("sheet.pulls"),
     };
+    // The other body feels the opposite.
+    let hinge = match q.label.of {
+        Owner::Joint(j) => scene.joints.get(j).map(|joint| joint.kind),
+        _ => None,
+    };
+    if let (Some(JointKind::Hinge { one, .. }), false) = (hinge, scene.is_magnitude(q.label)) {
+        let [name, the] = [names::body_within, names::the_body].map(|name| name(words, scene, one.body));
+        add(&words.say("sheet.acts_on", &[("body", &name), ("the_body", &the)]));
+    }
     // Once is enough.
     let unsaid = |phrase: &&str| !q.ask.contains(words.get(phrase));
     for phrase in both_ways.into_iter().filter(unsaid).chain(range(scene, q)) {
@@ -470,9 +480,7 @@ fn range(scene: &Scene, q: &Question) -> Option<&'static str> {
         {
             return Some("sheet.just_before");
         }
-        Quantity::AngularMomentum if scene.lead().is_some() && scene.pinned().is_none() => {
-            return Some("sheet.about_centre");
-        }
+        Quantity::AngularMomentum if scene.pinned().is_none() => return Some("sheet.about_centre"),
         _ => {}
     }
     scene.springs().next()?;

@@ -283,8 +283,10 @@ fn thrown_back() -> Scene {
     let mut scene = scene(vec![rod("one", Some(0.0)), rod("other", Some(40.0))], Vec::new(), 1.0);
     for (body, (speed, spin)) in scene.bodies.iter_mut().zip([(0.0, -4.0), (3.0, 2.0)]) {
         if let Some(planar) = &mut body.planar {
+            let (speed_m_s, spin_rad_s) = (f(speed), f(spin));
+            let direction_deg = f(-70.0);
             planar.arrives =
-                Some(Arrives { speed_m_s: f(speed), direction_deg: f(-70.0), spin_rad_s: f(spin) });
+                Some(Arrives { turns_alone: speed == 0.0, speed_m_s, direction_deg, spin_rad_s });
             planar.origin_m = (speed > 0.0).then(|| [f(1.1), f(0.0)]);
         }
     }

@@ -671,6 +671,41 @@ fn a_slack_strap_hangs_between_its_ends_and_a_later_spring_waits() {
     );
 }
 
+/// Where the direction of a cord bears on an answer, it is drawn as it is told: over a guide pulley where both its ends lead the same way,
+/// and no surface is turned round.
+#[test]
+fn cords_lead_where_the_key_has_them() {
+    let of = |scene: &str, asked: &str| {
+        format!(
+            "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {{m: {{name: mass, unit: kg, draw: always 3}}}}\n    scene: {{{scene}, start: at rest, end: at once}}\n    questions: {{x: {{quantity: {asked}, ask: x}}}}\n    statement: '{{{{ m }}}} {{{{ g }}}}'\n"
+        )
+    };
+    let winch = "bodies: {drum: {mass: 2 kg, shape: {disc: 0.2 m}, radii: {rim: 0.2 m}, moves: about a fixed axle}, load: {mass: m, moves: vertically, positive: down}}, ties: [cord: {from: {body: load, tied at: centre, leaves: up}, to: {body: drum, wound on: rim, leaves: SIDE}}]";
+    for (side, guide) in [("front up", true), ("back up", true), ("back down", false)] {
+        let desc = first_picture(&of(&winch.replace("SIDE", side), "drum.pin_y, unit: N")).desc;
+        assert_eq!(desc.contains("over a small guide pulley to another body"), guide, "{side}: {desc}");
+    }
+    let table = "surfaces: {slope: {slope: 20 deg}, table: level}, bodies: {lower: {mass: 3 kg, moves: along slope}, crate: {mass: m, moves: along table}, drum: {mass: 2 kg, shape: {disc: 0.2 m}, radii: {rim: 0.2 m}, moves: about a fixed axle}}, ties: [cord: {from: {body: lower, tied at: centre, leaves: forward}, to: {body: crate, tied at: centre, leaves: ONE}}, cord: {from: {body: crate, tied at: centre, leaves: OTHER}, to: {body: drum, wound on: rim, leaves: top back}}]";
+    let [told, turned] = [["back", "forward"], ["forward", "back"]]
+        .map(|[one, other]| table.replace("ONE", one).replace("OTHER", other));
+    let asked = "drum.pin_x, unit: N";
+    let desc = first_picture(&of(&told, asked)).desc;
+    assert!(desc.contains("Crate: to the right"), "{desc}");
+    // What rises to the left is drawn so, and no direction in space is asked there.
+    let desc = first_picture(&of(&turned, "crate.a, unit: m/s^2")).desc;
+    assert!(desc.contains("Crate: to the left"), "{desc}");
+    let refused = |text: &str, why: &str| {
+        let faults = load::scenes_only(text, "one").unwrap_err();
+        assert!(faults.to_string().contains(why), "{faults}");
+    };
+    refused(&of(&turned, asked), "it needs a pinned body, or one about a fixed axle");
+    let truck = |scene: &str| {
+        of(&format!("{scene}, carried: {{along: horizontal, acceleration: 3 m/s^2}}"), "crate.a, unit: m/s^2")
+    };
+    refused(&truck(&turned), "a cord leaves both its bodies to the same side");
+    assert!(load::scenes_only(&truck(&told), "one").is_ok());
+}
+
 #[test]
 fn what_is_carried_or_bears_a_load_has_its_free_bodies() {
     let words = Words::english();

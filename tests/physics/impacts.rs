@@ -20,6 +20,27 @@ end: at once
     all_near(&told(scene, &["a.omega", "b.omega", "kinetic_energy"]), &[w, w, 0.03 * w * w], 1e-13);
 }
 
+/// A rod that turns freely about its own centre is caught at its end: `I_G w_0 = I_A w`, a quarter is left. Its centre does not move
+/// before, and that is told.
+#[test]
+fn a_rod_that_turns_about_its_centre_is_caught_at_its_end() {
+    for speed in ["0 m/s", "-0 m/s", "0.0 km/h"] {
+        let scene = format!(
+            "
+bodies: {{rod: {{mass: 4 kg, shape: {{rod: 1.2 m}}, moves: in the plane, angle: from right}}}}
+joints: {{O: {{pins: rod.A}}}}
+start: {{rod: {{angle: 10 deg, arrives: {{spin: 3 rad/s, speed: {speed}, direction: up}}}}}}
+end: at once
+"
+        );
+        // The impulse of the pin is the momentum of the centre, which circles A then.
+        let (w, [x, y]) = (0.75, [10.0_f64.to_radians().sin(), 10.0_f64.to_radians().cos()]);
+        let blow = 4.0 * w * 0.6;
+        let told = told(&scene, &["rod.omega", "O.impulse_x", "O.impulse_y"]);
+        all_near(&told, &[w, -blow * x, blow * y], 1e-13);
+    }
+}
+
 const BULLET: &str = "
 bodies:
   rod:    {mass: 5 kg, shape: {rod: 1 m}, moves: in the plane, angle: from hanging, points: {O: 0 m, P: 0.75 m}}

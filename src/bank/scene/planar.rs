@@ -401,6 +401,7 @@ impl SceneReader<'_> {
             self.faults.hint(node, "it has no such velocity before the impact", hint);
         }
         Some(Arrives {
+            turns_alone: speed.is_none(),
             speed_m_s: given(speed, Need::VELOCITY)?,
             direction_deg: direction.map_or(Some(Num::Fixed(0.0)), |n| self.direction(n, &WHITHER))?,
             spin_rad_s: given(spin, Need::SPIN)?,
