@@ -3,7 +3,7 @@ use crate::bank::asked;
 use crate::bank::node::shorten;
 use crate::finding::told;
 use crate::scene::{
-    Attach, Cord, Degree, End, Far, JointKind, Label, Owner, Quantity, RotaryInertia, Scene, Spot, Tie,
+    Attach, Cord, Degree, End, Far, JointKind, Label, Owner, Quantity, RotaryInertia, Scene, Slope, Spot, Tie,
 };
 use crate::units::spell;
 
@@ -109,7 +109,8 @@ const fn why(quantity: Quantity) -> &'static str {
         Q::ImpulseX | Q::ImpulseY => "it needs a pin or a hinge, and an impulse under `forces`",
         Q::Work => "it needs a motion on lines without a spring, and no slip from a speed at the start",
         Q::VX | Q::VY | Q::AX | Q::AY => "it needs a body that moves in the plane",
-        Q::T | Q::RotationalFraction | Q::KineticEnergy | Q::Direction => "it needs a motion, the time one without a force that grows with place",
+        Q::T | Q::RotationalFraction | Q::KineticEnergy => "it needs a motion, the time one without a force that grows with place",
+        Q::Direction => "it needs a motion, and cords that leave one body to the right and the other to the left: `leaves: forward` on a slope, `leaves: back` on the table beyond its pulley",
         Q::Value => "it needs a question with `value:`",
     }
 }
@@ -210,7 +211,10 @@ fn on_lines(scene: &Scene, all: &mut Gathered) {
     let end = scene.ending_coordinate();
     let changes = scene.growths.is_empty() && (scene.is_sprung() || !scene.start.is_empty());
     let turns_back = moves && changes && end.degree == Degree::Along && !phases;
-    all.add(moves, Owner::Body(end.body), &[Q::Direction]);
+    // On a level that is drawn turned round, right is back.
+    let level = scene.bodies[end.body].line.is_some_and(|line| line.slope == Slope::Level);
+    let told = !(level && scene.is_turned_round(end.body));
+    all.add(moves && told, Owner::Body(end.body), &[Q::Direction]);
     all.add(turns_back, Owner::Body(end.body), &[Q::VMax, Q::DAtVMax, Q::DTurn]);
     for (t, tie) in scene.ties.iter().enumerate() {
         let rubbing = |body: &usize| Owner::Body(*body);

@@ -2,12 +2,13 @@
 use crate::figure::view::SceneView;
 use crate::figure::{names, parts, say};
 use crate::num::half::Half;
+use crate::num::{Jet, shown};
 use crate::picture::board::{Board, LabelTie, MIDDLE_FIRST, on_arc};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Role, TextRun, symbol};
 use crate::scene::given;
 use crate::scene::{
-    Acts, Arrives, Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Planar, Push, Quantity, Rest,
+    Acts, Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Planar, Push, Quantity, Rest,
     RotaryInertia, Scene, Shape, Spot, Straight, Strut, StrutEnd, Surface, pose,
 };
 use crate::words::plain::capital;
@@ -1115,29 +1116,52 @@ fn loads(board: &mut Board, view: &SceneView, plane: &PlaneLayout) {
         board.label(vec![label], Role::Force, (LabelTie::Clear, 5.0), spots);
     }
     for (b, laid) in plane.start.iter().enumerate() {
-        let started = view.started(b).filter(|(degree, _)| *degree == Degree::Turn).map(|(_, num)| num);
+        let started = |asked| view.started(b).filter(move |(degree, _)| *degree == asked).map(|(_, num)| num);
         let arrives = view.scene.planar(b).and_then(|planar| planar.arrives);
-        if let Some(Arrives { speed_m_s: speed, direction_deg: direction, .. }) =
-            arrives.filter(|arrives| view.of(arrives.speed_m_s) != 0.0)
+        let arriving =
+            arrives.map(|arrives| (arrives.speed_m_s, Vec2::at_degrees(view.of(arrives.direction_deg))));
+        let going = started(Degree::Along).filter_map(|num| Some((num, heading(view, b)?)));
+        for (speed, towards) in arriving.filter(|(speed, _)| view.of(*speed) != 0.0).into_iter().chain(going)
         {
-            let (from, towards) = (plane.centre(view, &plane.start, b), Vec2::at_degrees(view.of(direction)));
+            let from = plane.centre(view, &plane.start, b);
             let tip = from + towards * 56.0;
             board.arrow(from, tip, Role::Motion);
             let middle = from.middle(tip);
             let spots = vec![(tip, towards), (middle, towards.left()), (middle, towards.right())];
-            board.wish(view.label(speed, "m/s"), spots, Role::Motion);
+            board.wish(view.size_label(speed, "m/s"), spots, Role::Motion);
         }
         let arriving = arrives.map(|arrives| arrives.spin_rad_s).filter(|spin| view.of(*spin) != 0.0);
-        for num in started.chain(arriving) {
+        // What rolls on an arc goes around its middle at another rate than it spins.
+        let on_arc = |joint: &Joint| match joint.kind {
+            JointKind::Contact { at, surface: Surface::Arc { .. }, rolls: true, .. } => at.body == b,
+            _ => false,
+        };
+        let rolls = view.scene.joints.iter().any(on_arc);
+        let (middle, radius) =
+            match view.scene.planar(b).and_then(|planar| round(view, b, planar)).filter(|_| rolls) {
+                Some(radius) => (plane.centre(view, &plane.start, b), radius * plane.scale + 14.0),
+                None => (laid.origin, 92.0),
+            };
+        for num in started(Degree::Turn).chain(arriving) {
             let clockwise = view.scene.planar(b).is_some_and(|p| p.clockwise);
             let sense = if clockwise == (view.of(num) >= 0.0) { -1.0 } else { 1.0 };
             let mid = laid.axis.angle_of();
-            let radius = 92.0;
-            board.curved_arrow(laid.origin, radius, mid + sense * 0.08, mid + sense * 0.4, Role::Motion);
-            let d = Vec2::at_angle(mid + sense * 0.24);
-            board.wish(view.size_label(num, "rad/s"), vec![(laid.origin + d * radius, d)], Role::Motion);
+            let far = 36.8 / radius;
+            board.curved_arrow(middle, radius, mid + sense * 0.2 * far, mid + sense * far, Role::Motion);
+            let d = Vec2::at_angle(mid + sense * 0.6 * far);
+            board.wish(view.size_label(num, "rad/s"), vec![(middle + d * radius, d)], Role::Motion);
         }
     }
+}
+
+/// Direction in which the mass centre of a body moves at the start; `None` where it rests.
+fn heading(view: &SceneView, body: usize) -> Option<Vec2> {
+    let numbers = Numbers::<f64>::new(view.scene, &view.variant.data);
+    let layout = pose::Layout::new(view.scene, &numbers)?;
+    let (rate, poses) = (layout.start_rate()?, layout.poses::<Jet<f64>>(0.0, true)?);
+    let along = pose::along(&numbers, view.scene.planar(body)?.centre);
+    let [x, y] = poses[body].point([along, 0.0]).map(|x| x.first * rate);
+    Some(vec2(x, y)).filter(|way| way.norm() > 0.0).map(Direction::unit)
 }
 
 /// Direction of a force.
@@ -1163,7 +1187,16 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
         out.push(say(name, &[("body", &say::named(view, body))]));
         say::couples(view, b, out);
         for (degree, num) in view.started(b) {
-            out.push(say("spin", &[("spin", &say::text(view, num, given::speed_unit(degree)))]));
+            let turn =
+                if view.scene.planar(b).is_some_and(|p| p.clockwise) { "clockwise" } else { "counter" };
+            let sense = match degree {
+                Degree::Turn => view.words.get(&format!("figure.turn.{turn}")).to_owned(),
+                Degree::Along => {
+                    heading(view, b).map_or_else(String::new, |to| teller.heads(to * view.of(num).signum()))
+                }
+            };
+            let spin = say::text(view, num, given::speed_unit(degree));
+            out.push(say("spin", &[("spin", &spin), ("sense", &sense)]));
         }
     }
     if let Some((lead, planar)) = view.scene.lead().and_then(|l| Some((l, view.scene.planar(l)?))) {
@@ -1273,6 +1306,17 @@ impl Teller<'_, '_> {
             _ => "to.angle",
         };
         self.say(name, &[("angle", &angle)])
+    }
+    /// The same of a direction that no datum tells.
+    fn heads(&self, to: Vec2) -> String {
+        let degrees = to.angle_of().to_degrees();
+        let quarter = (degrees / 90.0).round() * 90.0;
+        if (degrees - quarter).abs() < 1e-6 {
+            // One name for each of the two of a half turn.
+            return self.way(Num::Fixed(if quarter == -180.0 { 180.0 } else { quarter + 0.0 }), false);
+        }
+        let angle = format!("{}°", self.view.words.number(&shown::significant(degrees.rem_euclid(360.0), 3)));
+        self.say("to.angle", &[("angle", &angle)])
     }
     fn joint(&self, kind: JointKind) -> String {
         match kind {

@@ -88,7 +88,6 @@ impl Scene {
     }
 
     /// Is any surface drawn turned round?
-    #[cfg(feature = "program")]
     pub fn is_any_turned_round(&self) -> bool {
         self.turned_round().iter().any(|(_, turned)| *turned)
     }

@@ -17,6 +17,8 @@ pub struct Planar {
     pub from: Ray,
     /// Does it count clockwise?
     pub clockwise: bool,
+    /// Is no angle of it told, as of what is round ([`Scene::round_from_start`])? The speed of its centre is positive to the right then.
+    pub unmarked: bool,
     /// Angle at the start, degrees, -360 to 360; `None` where the joints give it.
     pub start_deg: Option<Num>,
     /// The angular acceleration, rad/s^2, that a couple of its own gives it: it is driven.
@@ -42,6 +44,7 @@ impl Planar {
             centre,
             from,
             clockwise: from == Ray::Up,
+            unmarked: false,
             start_deg,
             driven: None,
             arrives: None,
@@ -445,6 +448,7 @@ impl Scene {
         let first = turning().next().filter(|_| self.lead().is_none() && turning().all(round));
         if let Some(planar) = first.and_then(|body| self.bodies[body].planar.as_mut()) {
             planar.start_deg = Some(Num::Fixed(0.0));
+            planar.unmarked = true;
         }
     }
     /// The bodies that move just before an impact, and how.

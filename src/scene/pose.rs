@@ -740,7 +740,7 @@ impl<'a, T: Real> Layout<'a, T> {
         })
     }
     /// Rate of the leading angle at the start: a spin is that of its body, a speed that of its mass centre, positive where the
-    /// leading angle grows if that is its own, else up, or to the right on a level. `None` where what has it does not move with
+    /// leading angle grows if that is its own and told, else up, or to the right on a level. `None` where what has it does not move with
     /// that angle.
     pub fn start_rate(&self) -> Option<T> {
         let Some((Coordinate { body, degree }, number)) = self.scene.start_speeds().next() else {
@@ -758,7 +758,7 @@ impl<'a, T: Real> Layout<'a, T> {
                 let way = poses[body].point([along(self.n, planar.centre), T::zero()]).map(|x| x.first);
                 let length = dot(way, way).root();
                 // What rests has no direction.
-                let forth = body == self.lead || length.is_zero();
+                let forth = body == self.lead && !planar.unmarked || length.is_zero();
                 if forth { length } else { length.signed(upward(way.map(|x| x / length))) }
             }
         };

@@ -445,7 +445,7 @@ fn form(
     }
     // Once is enough.
     let unsaid = |phrase: &&str| !q.ask.contains(words.get(phrase));
-    for phrase in both_ways.into_iter().filter(unsaid).chain(range(scene, q)) {
+    for phrase in both_ways.into_iter().filter(unsaid).chain(range(scene, q)).chain(seen_from(scene, q)) {
         add(words.get(phrase));
     }
     if q.figures != common.figures {
@@ -493,9 +493,18 @@ fn range(scene: &Scene, q: &Question) -> Option<&'static str> {
     }
 }
 
-/// A direction that counts on what carries the scene, where all else is seen from the ground.
+/// Of what is carried: a direction counts on what carries it, all else is seen from the ground, and part of it along the line of its body.
 fn seen_from(scene: &Scene, q: &Question) -> Option<&'static str> {
-    scene.carried.as_ref().filter(|_| q.label.quantity == Quantity::Direction).map(|_| "sheet.on_its_support")
+    scene.carried.as_ref()?;
+    let on_a_line = scene.lead().is_none();
+    match q.label.quantity {
+        Quantity::Direction => Some("sheet.on_its_support"),
+        Quantity::A | Quantity::ARolling | Quantity::Displacement | Quantity::Impulse if on_a_line => {
+            Some("sheet.along_its_line")
+        }
+        Quantity::V if on_a_line => Some("sheet.from_the_ground"),
+        _ => None,
+    }
 }
 
 /// `1 %`

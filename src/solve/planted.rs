@@ -90,6 +90,7 @@ fn rod(name: &str, start: Option<f64>) -> Body {
         centre: Place::At(f(0.55)),
         from: Ray::Right,
         clockwise: false,
+        unmarked: false,
         start_deg: start.map(f),
         driven: None,
         arrives: None,

@@ -706,6 +706,46 @@ fn cords_lead_where_the_key_has_them() {
     assert!(load::scenes_only(&truck(&told), "one").is_ok());
 }
 
+/// A start has its sense in words and its arrow in the picture: a speed that of the mass centre, a spin that of the body itself, also in a
+/// bowl, where it rolls the other way round than it goes.
+#[test]
+fn a_start_in_the_plane_has_its_direction() {
+    let of = |scene: &str| {
+        format!(
+            "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {{m: {{name: mass, unit: kg, draw: always 3}}}}\n    scene: {{bodies: {{disc: {{mass: m, shape: {{disc: 0.1 m}}, moves: in the plane}}}}, {scene}, end: at once}}\n    questions: {{x: {{quantity: kinetic_energy, ask: x, unit: J}}}}\n    statement: '{{{{ m }}}} {{{{ g }}}}'\n"
+        )
+    };
+    let slope = |start: &str| {
+        format!(
+            "joints: {{floor: {{rolls: disc, radius: 0.1 m, along: 20 deg}}}}, start: {{disc: {{{start}}}}}"
+        )
+    };
+    let bowl = "joints: {bowl: {rolls: disc, radius: 0.1 m, inside: 0.5 m}}, start: {disc: {angle: 280 deg, spin: 3 rad/s}}";
+    for (scene, said, to) in [
+        (
+            slope("speed: 0.3 m/s"),
+            "It starts with 0.3 m/s, positive at 20° counter-clockwise from the right.",
+            Some(1.0),
+        ),
+        (
+            slope("speed: -0.3 m/s"),
+            "It starts with −0.3 m/s, positive at 20° counter-clockwise from the right.",
+            Some(-1.0),
+        ),
+        (bowl.to_owned(), "It starts with 3 rad/s, positive counter-clockwise.", None),
+    ] {
+        let picture = first_picture(&of(&scene));
+        assert!(picture.desc.contains(said), "{}", picture.desc);
+        let arrows = picture.elements.iter().filter(|e| e.role == Role::Motion);
+        let lines = arrows.filter_map(|e| match &e.outline {
+            Outline::Lines { points, .. } if points.len() == 2 => Some(points[1] - points[0]),
+            _ => None,
+        });
+        let heads: Vec<Vec2> = lines.collect();
+        assert_eq!(heads.first().map(|way| way.x.signum()), to, "{heads:?}");
+    }
+}
+
 #[test]
 fn what_is_carried_or_bears_a_load_has_its_free_bodies() {
     let words = Words::english();

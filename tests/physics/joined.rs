@@ -1405,3 +1405,23 @@ problems:
     near(said[0], 3.0 * 0.8 * 0.8 / 3.0 * 1.5 + 3.0 * 9.81 * 0.4 * s - 3.0, 1e-13);
     near(said[1], 3.0 * (9.81 + 0.4 * (s * 1.5 + c * 4.0)), 1e-13);
 }
+
+/// Without an angle a speed is positive to the right, or up; with one it is positive as the angle grows: a disc that turns counter-clockwise
+/// rolls to the left.
+#[test]
+fn a_round_body_without_an_angle_starts_to_the_right() {
+    for (angle, along, way) in
+        [("", 0.0, 1.0), ("", 20.0, 1.0), ("angle: 0 deg, ", 0.0, -1.0), ("angle: 0 deg, ", 20.0, -1.0)]
+    {
+        let scene = format!(
+            "
+bodies: {{disc: {{mass: 2 kg, shape: {{disc: 0.1 m}}, moves: in the plane}}}}
+joints: {{floor: {{rolls: disc, radius: 0.1 m, along: {along} deg}}}}
+start: {{disc: {{{angle}speed: 0.3 m/s}}}}
+end: at once
+"
+        );
+        let x = way * 0.3 * f64::to_radians(along).cos();
+        all_near(&told(&scene, &["disc.v_x", "disc.v"]), &[x, 0.3], 1e-13);
+    }
+}

@@ -80,6 +80,7 @@ impl SceneReader<'_> {
             centre,
             from,
             clockwise,
+            unmarked: false,
             start_deg: None,
             driven: None,
             arrives: None,
