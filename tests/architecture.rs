@@ -87,6 +87,7 @@ const DOORS: &[(&str, &[&str])] = &[
             "misconception::catalogue",
             "bank",
             "scene",
+            "solve::energy",
             "solve::outcome",
             "key",
             "units",

@@ -14,6 +14,7 @@ use crate::solution::page::Step;
 use crate::solution::symbols::{FIGURES, Symbols, tex_digits};
 use crate::solution::terms::tagged;
 use crate::solution::text::SolutionSection;
+use crate::solve::energy;
 use crate::solve::outcome::{Entry, Word};
 use crate::units::Unit;
 use crate::words::Words;
@@ -88,10 +89,6 @@ pub struct Draft<'a> {
     pub derived: Vec<Step>,
     /// Value of the datum that is to be found.
     pub unknown: Option<f64>,
-    /// The asked angle, degrees, where it is one that varies.
-    pub varies: Option<f64>,
-    /// What is left of the balance of work at a place that is the key's, J.
-    pub imbalance: Option<f64>,
     /// The slipping contact that is taken as if it rolled.
     pub rolled: Option<usize>,
     /// What the contacts are taken as, where another scene is worked.
@@ -113,7 +110,7 @@ impl<'a> Draft<'a> {
         words: &'a Words,
         symbols: Symbols<'a>,
     ) -> Self {
-        let unknown = asked::unknown_value(problem, variant, words, scene);
+        let unknown = energy::datum_found(scene, &variant.data);
         Self::trial((problem, variant), scene, words, symbols, unknown)
     }
 
@@ -140,8 +137,6 @@ impl<'a> Draft<'a> {
             steps: Vec::new(),
             derived: Vec::new(),
             unknown,
-            varies: None,
-            imbalance: None,
             rolled: None,
             as_if: None,
             values: variant.data.clone(),
