@@ -3,8 +3,6 @@ pub mod figures;
 mod numeral;
 mod plain;
 #[cfg(feature = "program")]
-pub(crate) mod quick;
-#[cfg(feature = "program")]
 pub(crate) mod quiz;
 pub mod read;
 #[cfg(feature = "program")]

@@ -335,14 +335,7 @@ impl Batch {
                     continue;
                 }
             }
-            let walked = if self.simple {
-                let stop = memchr::memchr(b'\n', &data[at..]).map_or(data.len(), |k| at + k);
-                let end = if stop > at && data[stop - 1] == b'\r' { stop - 1 } else { stop };
-                Walked { end, next: stop + 1, lines: 1 }
-            } else {
-                let Some(walked) = walk(data, at, self.shape, true, &mut |_| {}) else { break };
-                walked
-            };
+            let Some(walked) = walk(data, at, self.shape, true, &mut |_| {}) else { break };
             let raw = &data[at..walked.end];
             if !raw.is_empty() {
                 let (fault, open) = self.careful(raw, text, ends);

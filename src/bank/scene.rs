@@ -643,7 +643,7 @@ impl SceneReader<'_> {
             let Some(mut fields) = Fields::open(value, "a particle (mass, at)", f) else { continue };
             let mass = self.need_number(&mut fields, "mass", "m_A", Need::MASS);
             let at = fields.need("at", "[x_A, y_A]").and_then(|n| self.place(n));
-            if let Some((mass_kg, (x_m, y_m))) = mass.zip(at) {
+            if let Some((mass_kg, [x_m, y_m])) = mass.zip(at) {
                 list.push(Particle { name: name.to_owned(), mass_kg, x_m, y_m });
             }
         }
@@ -768,8 +768,7 @@ impl SceneReader<'_> {
         if count > 0 {
             f.hint(node, told!("`{name}` has a spring already"), "a scene has at most one spring");
         }
-        let (x, y) = anchor?;
-        bodies[body?].spring(body?, at?, [x, y], (stiffness?, rest?))
+        bodies[body?].spring(body?, at?, anchor?, (stiffness?, rest?))
     }
 
     fn start(&self, node: &Node, bodies: &mut [Body]) -> Vec<Start> {

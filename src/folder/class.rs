@@ -2,7 +2,7 @@
 use crate::bank::{Bank, Question, Relative};
 use crate::folder::graded::OpenGrading;
 use crate::report::class::About;
-use crate::report::marks::{Drawn, MarkedClass, MarkedPart, Student};
+use crate::report::marks::{MarkedClass, MarkedPart};
 use crate::report::{settings, table};
 use crate::set::dealer::Dealt;
 use crate::words::Words;
@@ -35,14 +35,19 @@ pub fn of(graded: &OpenGrading, bank: &Bank, words: &Words) -> MarkedClass {
             })
         })
         .collect();
-    let students: Vec<Student> = graded.set.students.iter().map(student).collect();
     let asks = |sheet: &Dealt, part: &MarkedPart| {
         let problem = part.number.checked_sub(1).and_then(|i| sheet.key.problems.get(i));
         problem.is_some_and(|p| p.parts.iter().any(|entry| entry.part == part.id))
     };
     let asked = graded.given.iter().flat_map(|sheet| parts.iter().map(move |p| asks(sheet, p))).collect();
     let problems = graded.set.problems.iter().map(|id| title_of(bank, id)).collect();
-    MarkedClass { students, problems, parts, asked, day_first: graded.policy.day_first }
+    MarkedClass {
+        students: graded.set.students.clone(),
+        problems,
+        parts,
+        asked,
+        day_first: graded.policy.day_first,
+    }
 }
 
 /// What a question asks; nothing where a template makes it of the variant.
@@ -70,24 +75,6 @@ fn tolerance(question: &Question, words: &Words) -> String {
             let width = words.number(&width.to_string());
             words.say("report.tolerance.at_least", &[("share", &text), ("width", &width)])
         }
-    }
-}
-
-/// A student of the set with the numbers that were drawn.
-fn student(stored: &crate::set::store::StoredStudent) -> Student {
-    let drawn = stored.problems.iter().map(|variant| {
-        let data = variant.data.iter().filter_map(|(symbol, value)| {
-            let text = value.as_str()?;
-            let number = text.split_whitespace().next()?.parse::<f64>().ok()?;
-            number.is_finite().then(|| (symbol.clone(), number))
-        });
-        Drawn { case: variant.case.clone(), data: data.collect() }
-    });
-    Student {
-        id: stored.student.clone(),
-        name: stored.name.clone(),
-        folder: stored.folder.clone(),
-        drawn: drawn.collect(),
     }
 }
 

@@ -74,7 +74,8 @@ fn changes(graded: &OpenGrading, student: &str, number: &str) -> Result<Vec<Chan
     if !path.is_file() {
         return Ok(Vec::new());
     }
-    let mut rows = ChangeRow::read(&files::read(&path)?).map_err(|e| Finding::of_file(&path, e.what))?;
+    let mut rows =
+        ChangeRow::read(&files::read(&path)?).map_err(|f| f.in_file(path.display().to_string()))?;
     rows.retain(|row| row.student == student && row.problem == number);
     Ok(rows)
 }

@@ -2,7 +2,7 @@
 use crate::bank::{self, Bank, load};
 use crate::finding::{Finding, Findings};
 use crate::folder::{files, names, set};
-use crate::grade::row::{AnswerReader, AnswerRow, Unreadable};
+use crate::grade::row::{AnswerReader, AnswerRow};
 use crate::inspect::sentences;
 use crate::key::SheetKey;
 use crate::policy::{Counts, Policy};
@@ -125,10 +125,10 @@ impl OpenGrading {
 
 /// Walks over the rows of a file of answers. Errors: it cannot be read.
 pub fn each_row(path: &Path, see: &mut dyn FnMut(AnswerRow)) -> Result<(), Findings> {
-    let in_words = |fault: Unreadable| fault.in_file(path);
+    let here = |fault: Finding| fault.in_file(path.display().to_string());
     let file = File::open(path).map_err(files::trouble(path, "cannot be read"))?;
-    let mut reader = AnswerReader::new(file).map_err(in_words)?;
-    while let Some(row) = reader.next_row().map_err(in_words)? {
+    let mut reader = AnswerReader::new(file).map_err(here)?;
+    while let Some(row) = reader.next_row().map_err(here)? {
         see(row);
     }
     Ok(())

@@ -291,7 +291,7 @@ fn read(keys: &KeyTable, folder: &Path) -> Result<Grading, Findings> {
     graded::each_row(&folder.join(names::ANSWERS), &mut |row| found.take(keys, row))?;
     let path = folder.join(names::GRADEBOOK);
     let bytes = files::read(&path)?;
-    found.book(keys, bytes.as_slice()).map_err(|fault| fault.in_file(&path))?;
+    found.book(keys, bytes.as_slice()).map_err(|fault| fault.in_file(path.display().to_string()))?;
     Ok(found)
 }
 

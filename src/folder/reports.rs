@@ -4,16 +4,15 @@ use crate::finding::{Finding, Findings};
 use crate::folder::graded::OpenGrading;
 use crate::folder::staged::Staged;
 use crate::folder::{self, banks, class, files, graded, index, matches, names, staged};
-use crate::grade::row::Unreadable;
 use crate::misconception::catalogue::Catalogue;
 use crate::report::class::ClassReporter;
 use crate::report::feedback::FeedbackWriter;
 use crate::report::lms::GradebookLine;
-use crate::report::marks::{Marks, Student};
+use crate::report::marks::Marks;
 use crate::report::study::ClassStudy;
 use crate::report::{lms, table};
 use crate::set::grading::StoredGrading;
-use crate::set::store::StoredSet;
+use crate::set::store::{StoredSet, StoredStudent};
 use crate::sheet::document::Document;
 use crate::sheet::html::{Converter, PlaceInPage};
 use crate::sheet::texts::Texts;
@@ -189,7 +188,8 @@ pub fn make(
     let (item, most, lines) = book(&marks, &graded.grading, &texts.words);
     write(names::CANVAS, &lms::canvas(&item, most, &lines))?;
     write(names::MOODLE, &lms::moodle(&item, graded.grading.moodle.as_deref(), &lines))?;
-    let people = marks.class.students.iter().map(|s| (s.id.as_str(), s.name.as_str(), s.folder.as_str()));
+    let people =
+        marks.class.students.iter().map(|s| (s.student.as_str(), s.name.as_str(), s.folder.as_str()));
     write(names::INDEX, &index::of_grades(&texts, &graded.set.name, beside, people)?)?;
     let english = Words::english();
     Ok(ReportMade {
@@ -279,12 +279,12 @@ fn book<'m>(
         false if of > 0.0 => (points / of * 10_000.0).round() / 100.0,
         false => 0.0,
     };
-    let line = |(s, student): (usize, &'m Student)| {
+    let line = |(s, student): (usize, &'m StoredStudent)| {
         let any = marks.took_part(s) || (0..marks.class.parts.len()).any(|p| marks.points(s, p) > 0.0);
         GradebookLine {
-            id: &student.id,
+            id: &student.student,
             name: &student.name,
-            canvas: grading.canvas.get(&student.id),
+            canvas: grading.canvas.get(&student.student),
             points: any.then(|| points(marks.totals[s])),
             feedback: if any { told(s) } else { String::new() },
         }
@@ -303,9 +303,9 @@ fn inline(converter: &mut Converter, markdown: &str) -> String {
 }
 
 fn read_marks(graded: &OpenGrading, bank: &Bank, words: &Words) -> Result<Marks, Findings> {
-    let unreadable = |path: &Path, fault: Unreadable| {
+    let unreadable = |path: &Path, fault: Finding| {
         let hint = "it is written by `slipstick grade` and not meant to be edited: grade again";
-        fault.in_file(path).hint(hint)
+        fault.in_file(path.display().to_string()).hint(hint)
     };
     let answers = graded.folder.join(names::ANSWERS);
     let mut open = || fs::File::open(&answers).map(|f| io::BufReader::with_capacity(1 << 18, f));

@@ -2,7 +2,7 @@
 use rustc_hash::FxHashMap;
 
 /// A text of fewer than sixteen bytes, and its length in the last of them.
-type ShortText = [u64; 2];
+pub(crate) type ShortText = [u64; 2];
 
 /// Numbers of texts; a text that is put in twice has the later number. Short texts stand beside their numbers, so that a look-up
 /// waits for memory once.
@@ -13,7 +13,7 @@ pub(crate) struct Ids {
 }
 
 #[inline]
-fn short(text: &[u8]) -> Option<ShortText> {
+pub(crate) fn short(text: &[u8]) -> Option<ShortText> {
     let mut bytes = [0; 16];
     bytes.get_mut(..text.len()).filter(|_| text.len() < 16)?.copy_from_slice(text);
     bytes[15] = text.len() as u8;

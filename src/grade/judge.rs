@@ -36,7 +36,7 @@ impl GradingJob<'_> {
             return Judgement { verdict, points, reason: Cow::Borrowed(reason), number };
         }
         match table.entry(who as usize, what as usize) {
-            Some(entry) => compare_with(&lossy(answer), entry, numbers.units(), say),
+            Some(entry) => compare_with(&lossy(answer), entry, &mut numbers.units, say),
             None => Judgement {
                 verdict: Verdict::UnknownPart,
                 points: 0.0,

@@ -6,7 +6,6 @@ use crate::finding::Finding;
 use crate::grade::verdict::Verdict;
 use std::borrow::Cow;
 use std::io::{Read, Write as _};
-use std::path::Path;
 
 /// The columns in the order in which they are written.
 #[rustfmt::skip] // a table
@@ -161,34 +160,23 @@ impl RowPattern {
     }
 }
 
-/// What is wrong with a file of answers or a gradebook, and in which line.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Unreadable {
-    /// Line, from 1; 0 if unknown.
-    pub line: u64,
-    /// What is wrong.
-    pub what: String,
+/// What is wrong in a line of a file of answers or a gradebook.
+pub(crate) fn in_line(line: u64, what: impl Into<String>) -> Finding {
+    Finding::new("", what).at(usize::try_from(line).unwrap_or(usize::MAX), 1)
 }
 
-impl From<csv::Error> for Unreadable {
-    fn from(error: csv::Error) -> Self {
-        Unreadable { line: error.position().map_or(0, csv::Position::line), what: error.to_string() }
-    }
+/// What is wrong with such a file as CSV.
+pub(crate) fn no_csv(error: csv::Error) -> Finding {
+    let what = error.to_string();
+    error
+        .position()
+        .map(csv::Position::line)
+        .map_or_else(|| Finding::new("", &*what), |at| in_line(at, &*what))
 }
 
-impl Unreadable {
-    /// The same as a finding about the file.
-    pub fn in_file(self, path: &Path) -> Finding {
-        let fault = Finding::of_file(path, self.what);
-        match usize::try_from(self.line) {
-            Ok(line) if line > 0 => fault.at(line, 1),
-            _ => fault,
-        }
-    }
-    /// The header lacks a column.
-    pub fn no_column(name: &str) -> Self {
-        Unreadable { line: 1, what: format!("there is no column `{name}`") }
-    }
+/// The header of such a file lacks a column.
+pub(crate) fn no_column(name: &str) -> Finding {
+    in_line(1, format!("there is no column `{name}`"))
 }
 
 /// Reads rows in a stream.
@@ -200,19 +188,19 @@ pub struct AnswerReader<R> {
 
 impl<R: Read> AnswerReader<R> {
     /// Begins with the header. Errors: it lacks a column.
-    pub fn new(source: R) -> Result<Self, Unreadable> {
+    pub fn new(source: R) -> Result<Self, Finding> {
         let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(source);
-        let header = reader.byte_headers()?;
+        let header = reader.byte_headers().map_err(no_csv)?;
         let at = COLUMNS.map(|name| header.iter().position(|f| f == name.as_bytes()));
         match at[..NEEDED].iter().position(Option::is_none) {
             None => Ok(Self { reader, at, record: csv::ByteRecord::new() }),
-            Some(i) => Err(Unreadable::no_column(COLUMNS[i])),
+            Some(i) => Err(no_column(COLUMNS[i])),
         }
     }
 
     /// The next row; `None` at the end. Errors: it is none.
-    pub fn next_row(&mut self) -> Result<Option<AnswerRow<'_>>, Unreadable> {
-        if !self.reader.read_byte_record(&mut self.record)? {
+    pub fn next_row(&mut self) -> Result<Option<AnswerRow<'_>>, Finding> {
+        if !self.reader.read_byte_record(&mut self.record).map_err(no_csv)? {
             return Ok(None);
         }
         let line = self.record.position().map_or(0, csv::Position::line);
@@ -220,12 +208,12 @@ impl<R: Read> AnswerReader<R> {
         let text = |i: usize| String::from_utf8_lossy(at[i].and_then(|c| record.get(c)).unwrap_or_default());
         let verdict = text(6);
         let Some(verdict) = Verdict::of_word(&verdict) else {
-            return Err(Unreadable { line, what: format!("`{verdict}` is no verdict") });
+            return Err(in_line(line, format!("`{verdict}` is no verdict")));
         };
         let number = |i: usize| {
             let text = text(i);
             let value = text.parse::<f64>().ok().filter(|v| v.is_finite());
-            value.ok_or_else(|| Unreadable { line, what: format!("{}: `{text}` is no number", COLUMNS[i]) })
+            value.ok_or_else(|| in_line(line, format!("{}: `{text}` is no number", COLUMNS[i])))
         };
         let plain = |i: usize| match text(i) {
             Cow::Borrowed(text) => Cow::Borrowed(unguarded(text)),
@@ -257,7 +245,7 @@ mod tests {
     fn head(columns: usize) -> String {
         COLUMNS[..columns].join(",")
     }
-    fn rows(text: &str) -> Result<Vec<AnswerRow<'static>>, Unreadable> {
+    fn rows(text: &str) -> Result<Vec<AnswerRow<'static>>, Finding> {
         let mut reader = AnswerReader::new(text.as_bytes())?;
         let mut rows = Vec::new();
         while let Some(row) = reader.next_row()? {
@@ -311,9 +299,8 @@ mod tests {
     fn faults_name_line_and_field() {
         let row =
             |verdict: &str, points: &str| format!("{}\n7,,a,1,v,3,{verdict},{points},2,x\n", head(NEEDED));
-        let what = "`great` is no verdict".to_owned();
-        assert_eq!(rows(&row("great", "1")).unwrap_err(), Unreadable { line: 2, what });
-        assert_eq!(rows(&row("right", "NaN")).unwrap_err().what, "points: `NaN` is no number");
-        assert_eq!(rows("student,verdict\n").unwrap_err().what, "there is no column `line`");
+        assert_eq!(rows(&row("great", "1")).unwrap_err(), in_line(2, "`great` is no verdict"));
+        assert_eq!(rows(&row("right", "NaN")).unwrap_err().message, "points: `NaN` is no number");
+        assert_eq!(rows("student,verdict\n").unwrap_err().message, "there is no column `line`");
     }
 }

@@ -96,22 +96,12 @@ impl Zone {
         if name.eq_ignore_ascii_case("utc") || name == "Z" {
             return Some(Self::default());
         }
-        let zone = match name.strip_prefix(['+', '-']) {
-            Some(number) => {
-                let (hours, minutes) = number.split_once(':').unwrap_or((number, "0"));
-                let digits = |t: &str| {
-                    Some(t).filter(|t| (1..=2).contains(&t.len())).and_then(|t| t.parse::<i32>().ok())
-                };
-                let (hours, minutes) = (digits(hours)?, digits(minutes)?);
-                if hours > 18 || minutes > 59 {
-                    return None;
-                }
-                let seconds = (hours * 60 + minutes) * 60 * if name.starts_with('-') { -1 } else { 1 };
-                jiff::tz::Offset::from_seconds(seconds).ok()?.to_time_zone()
-            }
+        let zone = if name.starts_with(['+', '-']) {
+            let seconds = i32::try_from(time::offset(name)? * 60).ok()?;
+            jiff::tz::Offset::from_seconds(seconds).ok()?.to_time_zone()
+        } else {
             // A single word such as CET or EST means different things to different people: only places.
-            None if name.contains('/') => TimeZone::get(name).ok()?,
-            None => return None,
+            Some(name).filter(|name| name.contains('/')).and_then(|name| TimeZone::get(name).ok())?
         };
         Some(Zone { name: name.to_owned(), zone })
     }

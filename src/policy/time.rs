@@ -1,5 +1,5 @@
 //! Dates as spreadsheets and form services write them, to seconds that can be compared.
-use crate::policy::DAY;
+use crate::policy::{DAY, MINUTE};
 use jiff::civil::{Date, date};
 
 const EPOCH: Date = date(1970, 1, 1);
@@ -397,24 +397,25 @@ fn clock(text: &str) -> Option<Moment> {
             break;
         }
     }
-    let mut offset = 0i64;
-    if !zone.is_empty() {
-        let sign = if zone.starts_with('-') { -1 } else { 1 };
-        let number = zone.strip_prefix(['+', '-'])?;
-        let (h, m) = match number.split_once(':') {
-            Some(both) => both,
-            None if number.len() == 4 => number.split_at_checked(2)?,
-            None => (number, ""),
-        };
-        let digits =
-            |t: &str| (t.len() <= 2 && t.bytes().all(|b| b.is_ascii_digit())).then(|| t.parse::<i64>().ok());
-        let (h, m) = (digits(h)??, if m.is_empty() { 0 } else { digits(m)?? });
-        if h > 18 || m > 59 {
-            return None;
-        }
-        offset = sign * (h * 60 + m);
-    }
-    Some(certain(shown - offset * 60_000_000, zoned, None))
+    let offset = if zone.is_empty() { 0 } else { offset(zone)? };
+    Some(certain(shown - offset * MINUTE, zoned, None))
+}
+
+/// What an offset such as `+05:30`, `+0530` or `-3` adds to UTC, minutes.
+pub fn offset(text: &str) -> Option<i64> {
+    let sign = if text.starts_with('-') { -1 } else { 1 };
+    let number = text.strip_prefix(['+', '-'])?;
+    let (hours, minutes) = match number.split_once(':') {
+        Some(both) => both,
+        None if number.len() == 4 => number.split_at_checked(2)?,
+        None => (number, "0"),
+    };
+    let digits = |t: &str| {
+        let short = (1..=2).contains(&t.len()) && t.bytes().all(|b| b.is_ascii_digit());
+        t.parse::<i64>().ok().filter(|_| short)
+    };
+    let (hours, minutes) = (digits(hours)?, digits(minutes)?);
+    (hours <= 18 && minutes <= 59).then_some(sign * (hours * 60 + minutes))
 }
 
 #[cfg(test)]

@@ -1,35 +1,20 @@
 //! Two gradings of the same answers: who gains and who loses, for which part, and why.
 use crate::csv_field::{push_line, unguarded};
+use crate::finding::Finding;
 use crate::grade::gradebook_reader;
-use crate::grade::row::{AnswerRow, Unreadable};
+use crate::grade::row::{AnswerRow, no_csv};
 use crate::grade::table::{Column, KeyTable};
 use crate::grade::verdict::Verdict;
 use crate::key::{Answer, KeyEntry};
 use serde::Deserialize;
 use std::io::Read;
 
-/// The answer that counts for one student and part.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CountedAnswer {
-    /// Line of the submissions.
-    pub line: u64,
-    /// Column, where a record has several answers.
-    pub column: String,
-    pub verdict: Verdict,
-    /// Most points.
-    pub max_points: f64,
-    /// Ids of wrong methods.
-    pub methods: String,
-    /// Words of the column `credit`.
-    pub credit: String,
-}
-
 /// A grading as far as it is compared; students and parts are those of the new key.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Grading {
     parts: usize,
     /// The answers that count, a row of parts for each student.
-    pub cells: Vec<Option<CountedAnswer>>,
+    pub cells: Vec<Option<AnswerRow<'static>>>,
     /// Points in the gradebook, likewise.
     points: Vec<Option<f64>>,
     /// Total and of how many, for each student.
@@ -54,19 +39,12 @@ impl Grading {
             return;
         }
         if let Some((s, p)) = keys.place_of(&row) {
-            self.cells[s * self.parts + p] = Some(CountedAnswer {
-                line: row.line,
-                column: row.column.into_owned(),
-                verdict: row.verdict,
-                max_points: row.max_points,
-                methods: row.methods.into_owned(),
-                credit: row.credit.into_owned(),
-            });
+            self.cells[s * self.parts + p] = Some(row.into_owned());
         }
     }
 
     /// Takes gradebook.csv. Errors: it is no gradebook.
-    pub fn book(&mut self, keys: &KeyTable, gradebook: impl Read) -> Result<(), Unreadable> {
+    pub fn book(&mut self, keys: &KeyTable, gradebook: impl Read) -> Result<(), Finding> {
         let parts: Vec<String> = keys.columns.iter().map(Column::label).collect();
         gradebook_reader::each_row(gradebook, &parts, true, &mut |row| {
             if let Some(s) = keys.student(row.student.as_bytes()).map(|s| s as usize) {
@@ -77,7 +55,7 @@ impl Grading {
         })
     }
 
-    pub fn cell(&self, student: usize, part: usize) -> Option<&CountedAnswer> {
+    pub fn cell(&self, student: usize, part: usize) -> Option<&AnswerRow<'static>> {
         self.cells[student * self.parts + part].as_ref()
     }
     /// Points as the gradebook has them.
@@ -186,9 +164,9 @@ impl ChangeRow {
         out
     }
     /// The rows of changes.csv. Errors: it is none.
-    pub fn read(csv: &[u8]) -> Result<Vec<ChangeRow>, Unreadable> {
+    pub fn read(csv: &[u8]) -> Result<Vec<ChangeRow>, Finding> {
         let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(csv);
-        let mut rows: Vec<ChangeRow> = reader.deserialize().collect::<Result<_, _>>()?;
+        let mut rows: Vec<ChangeRow> = reader.deserialize().collect::<Result<_, _>>().map_err(no_csv)?;
         for text in rows.iter_mut().flat_map(|row| [&mut row.student, &mut row.part, &mut row.why]) {
             *text = unguarded(text).to_owned();
         }
@@ -235,14 +213,14 @@ fn of_kind<'c>(credit: &'c str, kinds: &[&str]) -> Vec<&'c str> {
 }
 
 fn why(
-    a: Option<&CountedAnswer>,
-    b: Option<&CountedAnswer>,
+    a: Option<&AnswerRow>,
+    b: Option<&AnswerRow>,
     settings: Settings,
     keys: [Option<&KeyEntry>; 2],
     moved: bool,
 ) -> Vec<Why> {
     let mut why = Vec::new();
-    let (credit_a, credit_b) = (a.map_or("", |c| &c.credit), b.map_or("", |c| &c.credit));
+    let (credit_a, credit_b) = (a.map_or("", |c| &*c.credit), b.map_or("", |c| &*c.credit));
     if has(credit_a, "correction") != has(credit_b, "correction") || (a.is_none() && b.is_none()) {
         // Without an answer only a correction gives points.
         why.push(Why::Correction);

@@ -1,9 +1,10 @@
 //! What other tolerances would make of answers that are graded already: which verdicts would change, and which wrong
 //! methods would pass for right.
 use crate::grade::compare::accepts;
+use crate::grade::row::AnswerRow;
 use crate::grade::verdict::Verdict;
 use crate::key::{Answer, KeyEntry};
-use crate::regrade::changes::{CountedAnswer, Grading};
+use crate::regrade::changes::Grading;
 use std::collections::BTreeMap;
 
 /// What would change for one part, or for all.
@@ -49,13 +50,13 @@ impl WhatIf {
     /// Holds the answers that count of all students and parts against those of the grading as it is.
     pub fn take(&mut self, now: &Grading, other: &Grading) {
         let parts = self.parts.len().max(1);
-        let right = |cell: &Option<CountedAnswer>| cell.as_ref().is_some_and(|c| c.verdict == Verdict::Right);
+        let right = |cell: &Option<AnswerRow>| cell.as_ref().is_some_and(|c| c.verdict == Verdict::Right);
         for (i, (was, is)) in now.cells.iter().zip(&other.cells).enumerate() {
             let change = &mut self.parts[i % parts];
             match (right(was), right(is)) {
                 (false, true) => {
                     change.gained += 1;
-                    let methods = was.as_ref().map_or("", |c| &c.methods);
+                    let methods = was.as_ref().map_or("", |c| &*c.methods);
                     change.methods += u64::from(!methods.is_empty());
                     for id in methods.split_whitespace() {
                         *self.methods.entry(id.to_owned()).or_default() += 1;

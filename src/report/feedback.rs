@@ -5,10 +5,11 @@
 //! count, or nothing handed in) and `problems`: a list of `number`, `title`, `points` and `parts`, each with `sign`, `name`
 //! (`1.omega`), `asked`, `verdict`, `points`, `answer`, `reason`, `credit` and `hints` (lists of lines).
 use crate::finding::{Finding, push_new};
+use crate::grade::row::AnswerRow;
 use crate::grade::verdict::Verdict;
 use crate::misconception::catalogue::Catalogue;
 use crate::policy::Hints;
-use crate::report::marks::{CountingRow, Marks};
+use crate::report::marks::Marks;
 use crate::report::table;
 use crate::sheet::document::{Document, Head};
 use crate::template::{self, Templates, Value, View};
@@ -42,14 +43,14 @@ impl FeedbackWriter<'_> {
         let head = Head {
             title: self.title.to_owned(),
             name: who.name.clone(),
-            student: who.id.clone(),
+            student: who.student.clone(),
             set: self.set.to_owned(),
             code: String::new(),
         };
         let mut view = View::new();
         view.foreign("title", self.title);
         view.foreign("name", &who.name);
-        view.foreign("student", &who.id);
+        view.foreign("student", &who.student);
         view.foreign("set", self.set);
         let (points, of) = self.marks.totals[student];
         view.text("total", &self.points(points, of));
@@ -115,11 +116,12 @@ impl FeedbackWriter<'_> {
         };
         // After a correction with full points nobody is told what may have gone wrong.
         let corrected =
-            points >= asked.points && row.is_none_or(|r| r.credit.iter().any(|c| c.as_str() == "correction"));
+            points >= asked.points && row.is_none_or(|r| r.credit.split(' ').any(|c| c == "correction"));
         let row_told = row.filter(|_| !right && !corrected);
         let reason = row_told.map_or_else(String::new, |r| self.reason(r));
-        let mut credit: Vec<String> =
-            row.map_or_else(Vec::new, |r| r.credit.iter().filter_map(|c| self.credit(c, part)).collect());
+        let mut credit: Vec<String> = row.map_or_else(Vec::new, |r| {
+            r.credit.split_whitespace().filter_map(|c| self.credit(c, part)).collect()
+        });
         if row.is_none() && points > 0.0 {
             credit.extend(self.credit("correction", part));
         }
@@ -139,7 +141,7 @@ impl FeedbackWriter<'_> {
 
     /// What the student is told of the reading of an answer. Of a wrong number only phrases that are known to say nothing of slips;
     /// of what could not be read the whole reason, up to what it says of credit.
-    fn reason(&self, row: &CountingRow) -> String {
+    fn reason(&self, row: &AnswerRow) -> String {
         // What it says of credit comes last, and may hold anything.
         let pieces = row.reason.split("; ").take_while(|piece| !is_one_of(CREDIT, piece));
         let told: Vec<&str> = match row.verdict {
@@ -174,14 +176,15 @@ impl FeedbackWriter<'_> {
         })
     }
 
-    fn hints(&self, row: &CountingRow, student: usize, part: usize) -> Vec<String> {
+    fn hints(&self, row: &AnswerRow, student: usize, part: usize) -> Vec<String> {
         if self.hints == Hints::None {
             return Vec::new();
         }
         let explains = self.hints == Hints::Explain;
         let mut told: Vec<Vec<String>> = Vec::new();
-        let several = row.methods.len() > 1;
-        for entry in row.methods.iter().filter_map(|id| self.catalogue.get(id)) {
+        let methods = || row.methods.split_whitespace();
+        let several = methods().count() > 1;
+        for entry in methods().filter_map(|id| self.catalogue.get(id)) {
             let mut lines = Vec::new();
             if explains {
                 let did = self.words.say("marks.did", &[("did", &entry.did)]);
@@ -202,8 +205,8 @@ impl FeedbackWriter<'_> {
         lines
     }
 
-    fn slip(&self, row: &CountingRow, student: usize, part: usize, explains: bool) -> Option<String> {
-        let (name, value) = row.slip.split_once(':').unwrap_or((&row.slip, ""));
+    fn slip(&self, row: &AnswerRow, student: usize, part: usize, explains: bool) -> Option<String> {
+        let (name, value) = row.slip.split_once(':').unwrap_or((&*row.slip, ""));
         if !["power_of_ten", "unit", "figures", "drift", "part"].contains(&name) {
             return None;
         }

@@ -1,7 +1,8 @@
 //! What the marks of a class tell: numbers only, with the sizes below which they tell nothing.
 use crate::finding::push_new;
+use crate::grade::row::AnswerRow;
 use crate::grade::verdict::Verdict;
-use crate::report::marks::{CountingRow, Marks};
+use crate::report::marks::Marks;
 use crate::report::stats::items::Matrix;
 use crate::report::stats::spread::Distribution;
 use crate::report::stats::{
@@ -157,7 +158,7 @@ impl ClassStudy {
             mistakes,
             wrong,
             slips: words(marks, &|row| vec![slip_kind(&row.slip)]),
-            credit: words(marks, &|row| row.credit.iter().map(|c| before_colon(c)).collect()),
+            credit: words(marks, &|row| row.credit.split_whitespace().map(before_colon).collect()),
             fairness,
             too_few,
             took_part,
@@ -179,7 +180,7 @@ fn slip_kind(slip: &str) -> String {
 }
 
 /// How often each word stands in the rows that count, most first.
-fn words(marks: &Marks, of: &dyn Fn(&CountingRow) -> Vec<String>) -> Vec<(String, usize)> {
+fn words(marks: &Marks, of: &dyn Fn(&AnswerRow) -> Vec<String>) -> Vec<(String, usize)> {
     let mut counts: BTreeMap<String, usize> = BTreeMap::new();
     for row in marks.cells.iter().filter_map(|c| c.row.as_ref()) {
         for word in of(row).into_iter().filter(|w| !w.is_empty()) {
@@ -245,13 +246,14 @@ fn mistakes(marks: &Marks) -> (Vec<MistakeCount>, (usize, usize)) {
             continue;
         }
         wrong += 1;
-        let Some((first, others)) = row.methods.split_first() else {
+        let mut methods = row.methods.split_whitespace();
+        let Some(first) = methods.next() else {
             unexplained += usize::from(row.slip.is_empty() && row.verdict == Verdict::Wrong);
             continue;
         };
-        let count = counts.entry(first.clone()).or_default();
-        for other in others.iter().filter(|id| *id != first) {
-            *count.also.entry(other.clone()).or_default() += 1;
+        let count = counts.entry(first.to_owned()).or_default();
+        for other in methods.filter(|id| *id != first) {
+            *count.also.entry(other.to_owned()).or_default() += 1;
         }
         *count.parts.entry(i % width).or_default() += 1;
         if count.who.last() != Some(&(i / width)) {
@@ -296,13 +298,13 @@ fn fairness(marks: &Marks) -> (Vec<DatumComparison>, Vec<(usize, usize)>) {
             too_few.push((problem, shares.len()));
             continue;
         }
-        let drawn = |s: usize| marks.class.students[s].drawn.get(problem);
+        let drawn = |s: usize| marks.class.students[s].problems.get(problem);
         let mut cases: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
         let mut symbols: Vec<&str> = Vec::new();
         for (s, share) in &shares {
             let Some(drawn) = drawn(*s) else { continue };
             cases.entry(&drawn.case).or_default().push(*share);
-            for (symbol, _) in &drawn.data {
+            for symbol in drawn.data.keys().filter(|symbol| drawn.number(symbol).is_some()) {
                 push_new(&mut symbols, symbol);
             }
         }
@@ -320,10 +322,7 @@ fn fairness(marks: &Marks) -> (Vec<DatumComparison>, Vec<(usize, usize)>) {
             });
         }
         for symbol in symbols {
-            let pairs = shares.iter().filter_map(|(s, share)| {
-                let value = drawn(*s)?.data.iter().find(|(name, _)| name == symbol)?.1;
-                Some((value, *share))
-            });
+            let pairs = shares.iter().filter_map(|(s, share)| Some((drawn(*s)?.number(symbol)?, *share)));
             let (xs, ys): (Vec<f64>, Vec<f64>) = pairs.unzip();
             if xs.len() < LEAST_FOR_CORRELATION {
                 continue;

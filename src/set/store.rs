@@ -68,7 +68,7 @@ pub struct StoredBank {
 }
 
 /// One student.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct StoredStudent {
     /// Id, as in the roster.
     pub student: String,
@@ -120,6 +120,11 @@ impl StoredVariant {
         let digest = hash.finalize();
         let bits = digest.iter().take(5).fold(0u64, |bits, byte| bits << 8 | u64::from(*byte));
         (0..8).rev().map(|i| char::from(DIGITS[(bits >> (5 * i) & 31) as usize])).collect()
+    }
+    /// A datum as printed, without its unit: equal symbols have equal units within a problem.
+    pub fn number(&self, symbol: &str) -> Option<f64> {
+        let printed = self.data.get(symbol)?.as_str()?;
+        printed.split_whitespace().next()?.parse().ok().filter(|x: &f64| x.is_finite())
     }
     /// What differs between this stored variant and one drawn anew.
     pub fn difference(&self, new: &StoredVariant) -> Option<String> {

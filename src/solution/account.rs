@@ -5,8 +5,8 @@ use crate::scene::{
 };
 use crate::solution::draft::{Draft, tex_of};
 use crate::solution::expr::{
-    Expr, ONE, SymbolId, ZERO, arc_cosine, cosine, in_sense, length, magnitude, number, positive_first,
-    power, ratio, root, square, sum,
+    Expr, ONE, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, power, ratio,
+    root, square, sum,
 };
 use crate::solution::factors::{Cancel, Factors, Sum};
 use crate::solution::narrate::Short;
@@ -1327,8 +1327,8 @@ impl<'d, 'a> Account<'d, 'a> {
     fn axle(&mut self, quantity: Quantity, body: usize) -> Result<Expr, DerivationStop> {
         let Some(pulls) = self.scene.axle_pulls(body) else { return unfound() };
         if matches!(quantity, Quantity::PinForce | Quantity::PinAngle) {
-            let (x, y) = (self.get(of_body(Quantity::PinX, body))?, self.get(of_body(Quantity::PinY, body))?);
-            return Ok(if quantity == Quantity::PinForce { length(x, y) } else { self.angle_of(x, y) });
+            let both = [self.get(of_body(Quantity::PinX, body))?, self.get(of_body(Quantity::PinY, body))?];
+            return Ok(self.composed(quantity, both));
         }
         let upright = quantity == Quantity::PinY;
         let mut terms = Vec::new();

@@ -2,11 +2,8 @@
 //! datum that is found from a measurement.
 use crate::bank::{Problem, Question};
 use crate::num::formula::{Formula, Step};
-use crate::num::root::between_values;
-use crate::problem::maker::Variant;
 use crate::scene::{AsIf, Degree, Given, Label, Num, Owner, Quantity, Scene, Taken, Term, Tie};
 use crate::solution::account::of_body;
-use crate::solution::derive;
 use crate::solution::draft::{Detail, Draft};
 use crate::solution::expr::{
     Expr, SymbolId, arc_tangent, cosine, magnitude, number, power, product, root, sine, square, sum,
@@ -15,16 +12,12 @@ use crate::solution::factors::Cancel;
 use crate::solution::narrate;
 use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
-use crate::solution::symbols::{Symbols, tex_digits};
+use crate::solution::symbols::tex_digits;
 use crate::solution::written::width;
-use crate::words::Words;
 use crate::words::plain::capital;
 
 /// Widest formula that stands for itself in an answer.
 const SHORT: f64 = 12.0;
-/// Steps of a search for a datum: so many places of its range, then halvings.
-const PLACES: u32 = 16;
-const HALVINGS: u32 = 80;
 
 /// The labels whose quantities are needed for what is asked: of questions, of formulas, of a measurement.
 pub fn needed(scene: &Scene, problem: &Problem) -> Vec<Label> {
@@ -296,35 +289,6 @@ fn written(draft: &mut Draft, x: f64) -> Expr {
     }
     let digits = tex_digits(&format!("{x}"), draft.words);
     draft.symbols.given(&digits, x, &format!("{x}"), "", false).into()
-}
-
-/// The value of the datum that is found from a measurement: that for which the solution gives what was measured.
-pub fn unknown_value(problem: &Problem, variant: &Variant, words: &Words, scene: &Scene) -> Option<f64> {
-    let found = scene.formulas.found?;
-    let miss = |x: f64| -> f64 {
-        let mut draft = Draft::trial((problem, variant), scene, words, Symbols::new(words), Some(x));
-        let measured: f64 = found.measured.value(&variant.data);
-        let derived = derive(&mut draft);
-        match (draft.imbalance, derived.ok().and_then(|()| draft.value_for(found.label))) {
-            (Some(imbalance), _) => imbalance,
-            (None, Some(symbol)) => draft.symbols.value(symbol) - measured,
-            _ => f64::NAN,
-        }
-    };
-    let [low, high] = found.range;
-    let at = |i: u32| low + (high - low) * f64::from(i) / f64::from(PLACES);
-    // Beyond some value there may be no such motion: up to there.
-    let defined = |mut there: f64, mut beyond: f64| {
-        for _ in 0..if miss(beyond).is_nan() && !miss(there).is_nan() { HALVINGS } else { 0 } {
-            let middle = f64::midpoint(there, beyond);
-            if miss(middle).is_nan() { beyond = middle } else { there = middle }
-        }
-        if miss(beyond).is_nan() { there } else { beyond }
-    };
-    let mut pieces = (0..PLACES).map(|i| (at(i), at(i + 1))).map(|(a, b)| (defined(b, a), defined(a, b)));
-    let (low, high) = pieces.find(|(a, b)| miss(*a) * miss(*b) <= 0.0)?;
-    let rising = miss(high) > 0.0 || miss(low) < 0.0;
-    between_values(low, high, rising, &|x| Ok::<f64, DerivationStop>(miss(x))).ok()
 }
 
 /// What is said of data that no sheet gives: what is `any`, and what is found from a measurement.

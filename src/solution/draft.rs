@@ -14,6 +14,7 @@ use crate::solution::page::Step;
 use crate::solution::symbols::{FIGURES, Symbols, tex_digits};
 use crate::solution::terms::tagged;
 use crate::solution::text::SolutionSection;
+use crate::solve::energy;
 use crate::solve::outcome::{Entry, Word};
 use crate::units::Unit;
 use crate::words::Words;
@@ -86,12 +87,6 @@ pub struct Draft<'a> {
     pub steps: Vec<Step>,
     /// The same of all pages.
     pub derived: Vec<Step>,
-    /// Value of the datum that is to be found.
-    pub unknown: Option<f64>,
-    /// The asked angle, degrees, where it is one that varies.
-    pub varies: Option<f64>,
-    /// What is left of the balance of work at a place that is the key's, J.
-    pub imbalance: Option<f64>,
     /// The slipping contact that is taken as if it rolled.
     pub rolled: Option<usize>,
     /// What the contacts are taken as, where another scene is worked.
@@ -113,18 +108,6 @@ impl<'a> Draft<'a> {
         words: &'a Words,
         symbols: Symbols<'a>,
     ) -> Self {
-        let unknown = asked::unknown_value(problem, variant, words, scene);
-        Self::trial((problem, variant), scene, words, symbols, unknown)
-    }
-
-    /// As [`Draft::new`], with this value of the datum that is to be found.
-    pub fn trial(
-        (problem, variant): (&'a Problem, &'a Variant),
-        scene: &'a Scene,
-        words: &'a Words,
-        symbols: Symbols<'a>,
-        unknown: Option<f64>,
-    ) -> Self {
         let mut draft = Self {
             problem,
             variant,
@@ -139,9 +122,6 @@ impl<'a> Draft<'a> {
             chosen: Vec::new(),
             steps: Vec::new(),
             derived: Vec::new(),
-            unknown,
-            varies: None,
-            imbalance: None,
             rolled: None,
             as_if: None,
             values: variant.data.clone(),
@@ -183,7 +163,9 @@ impl<'a> Draft<'a> {
             }
             draft.data[i] = Some(symbol);
         }
-        if let (Some(found), Some(x)) = (draft.scene.formulas.found, unknown) {
+        if let (Some(found), Some(x)) =
+            (draft.scene.formulas.found, energy::datum_found(scene, &variant.data))
+        {
             let datum = &problem.data[found.unknown.datum];
             let unit = if datum.degrees { String::new() } else { si_unit(&datum.unit).tex() };
             let digits = shown::significant(x, FIGURES);

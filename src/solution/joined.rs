@@ -9,7 +9,7 @@ use crate::solution::expr::{
 };
 use crate::solution::factors::{Cancel, Sum};
 use crate::solution::narrate::Tells;
-use crate::solution::page::{Piece, Pieces, WITHIN, packed};
+use crate::solution::page::{Piece, Pieces, WITHIN};
 use crate::solution::plane::{END, Pivot, Plane, START};
 use crate::solution::stop::{Beyond, DerivationStop, unfound};
 use crate::solution::symbols::FIGURES;
@@ -134,15 +134,10 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             return Ok(());
         }
         let own = if self.single() && !self.still() { self.one_equation() } else { None };
-        if let Some(alpha) = own.filter(|alpha| !values.contains(alpha)) {
-            values.insert(0, alpha);
-        }
         let known = told.or(own);
         let full = self.detail == Detail::Full;
         let room = if full { usize::MAX } else { MOST.saturating_sub(self.lines()) };
-        if !self.tell_in_order(known, &values, room) {
-            self.tell_together(&values, room);
-        }
+        self.tell_solved(known, &values, room);
         Ok(())
     }
     fn asked(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
@@ -378,7 +373,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.ratios();
         let before = self.steps.len();
         let speeds = self.speeds();
-        self.moving = self.inertia(END, &speeds);
+        self.moving = self.inertia(&speeds);
         let moving = (0..speeds.len()).filter(|b| speeds[*b] != ZERO);
         let moving = moving.map(|b| self.stated(self.bodies[b].v, &speeds[b].by(self.rate)));
         let mut moving: Vec<String> = moving.collect();
@@ -503,7 +498,6 @@ impl<'d, 'a> Plane<'d, 'a> {
             let terms = self.works.iter().flat_map(|w| named(w).terms());
             let size = terms.map(|w| self.value(&w).abs()).sum::<f64>();
             let size = size + gain.abs() + self.value(&first).abs();
-            self.imbalance = Some(work - gain);
             if (work - gain).abs() > f64::max(AGREEMENT_REL * size, self.symbols.doubt(rate)) {
                 return Err(Beyond::Differs(Quantity::Omega).into());
             }
@@ -547,21 +541,14 @@ impl<'d, 'a> Plane<'d, 'a> {
         if self.first == ZERO {
             return ZERO;
         }
-        let value = self.first_inertia();
+        let [_, value, _] = self.balance_after(0.0).unwrap_or([f64::NAN; 3]);
         let j = self.j();
         let j = if (self.value(&j) - value).abs() <= AGREEMENT_REL * value {
             j
         } else {
             let symbol = self.named(&["J_0", "J_a"], "kg m^2");
-            let is = self.inertia(START, &[]).expr();
-            if width(&self.tex(&is)) <= LINE - 20.0 {
-                self.page.step(symbol, is);
-                self.say("joined.first", &[("inertia", &symbol)]);
-                self.tell([symbol]);
-            } else {
-                self.symbols.settle(symbol, value, 0.0);
-                self.say("joined.first", &[("inertia", &self.shown(symbol))]);
-            }
+            self.symbols.settle(symbol, value, 0.0);
+            self.say("joined.first", &[("inertia", &self.shown(symbol))]);
             symbol.into()
         };
         ratio(1, 2).by(&j).by(square(&self.first))
@@ -836,7 +823,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         if self.instant() {
             let before = self.steps.len();
             let speeds = self.speeds();
-            self.moving = self.inertia(END, &speeds);
+            self.moving = self.inertia(&speeds);
             let named: Vec<SymbolId> = self.steps[before..].iter().map(|s| s.symbol).collect();
             if !named.is_empty() {
                 let speed = self.stated(self.bodies[0].v, &speeds[0].by(self.rate));
@@ -861,12 +848,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         let (j, letter) = (self.j.filter(|_| !self.scene.is_still())?, self.letter.clone());
         let (lead, rate) = (&self.bodies[self.lead], self.rate);
         let alpha = lead.alpha.filter(|_| lead.omega == Some(rate))?;
-        let [force, _] = self.derivatives(&|plane| plane.work())?;
-        let [growth, _] = self.derivatives(&|plane| {
-            let speeds = plane.speeds();
-            plane.value(&plane.inertia(END, &speeds).expr())
-        })?;
-        let [w, g] = [("W", "N m", force), ("J", "kg m^2", growth)].map(|(name, unit, value)| {
+        let [force, _, bend] = self.balance_after(self.way())?;
+        let [w, g] = [("W", "N m", force), ("J", "kg m^2", 2.0 * bend)].map(|(name, unit, value)| {
             let symbol = self.unknown(&tagged(name, &letter), unit);
             self.symbols.settle(symbol, value, 0.0);
             symbol
@@ -881,27 +864,6 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.display(alpha, &is, "");
         Some(alpha)
     }
-    /// Tells what all equations together were solved for, with all that is known besides, as far as the page has room.
-    fn tell_together(&mut self, values: &[SymbolId], room: usize) {
-        self.say("joined.together", &[]);
-        let solved = [self.accelerations(), self.reactions()].concat();
-        let known = |s: &&SymbolId| !self.symbols.value(**s).is_nan() && !values.contains(s);
-        let all = [values, &solved.iter().filter(known).copied().collect::<Vec<_>>()].concat();
-        let plain = |symbols: &[SymbolId]| -> Vec<String> {
-            // What follows from another one that is not told has its value alone.
-            let apart = |s: SymbolId| {
-                let uses = self.from(s).uses();
-                !solved.contains(&s) && uses.iter().all(|u| !solved.contains(u) || symbols.contains(u))
-            };
-            let each = |s: &SymbolId| if apart(*s) { self.step_of(*s) } else { self.chain(*s, &(*s).into()) };
-            symbols.iter().map(each).collect()
-        };
-        let fits = self.single() && packed(plain(&all)).len() <= room;
-        let told = plain(if fits { &all } else { values });
-        self.formulas_or_one(told);
-        self.skip_new();
-    }
-
     /// What the equations of a body on a pin give one after the other, as far as it is asked, and what the signs say.
     fn forces_of_the_pin(&mut self, kinetic: &dyn Fn(Quantity) -> bool) -> Result<(), DerivationStop> {
         let before = self.steps.len();
@@ -1028,12 +990,10 @@ impl<'d, 'a> Plane<'d, 'a> {
         let steps = ((last - first).abs() / LOOK).ceil().clamp(1.0, 4000.0) as u32;
         let places: Vec<f64> =
             (0..=steps).map(|i| first + (last - first) * f64::from(i) / f64::from(steps)).collect();
-        let looked = self.varied(0.0, |plane| {
-            let square = plane.pivot.clone().map_or(ZERO, |pivot| plane.square(&pivot));
-            let drive = plane.expanded(&plane.equations(0).swap_remove(0).0);
-            [drive, square].map(|e| places.iter().map(|at| plane.along_way(&e, *at)).collect::<Vec<f64>>())
-        });
-        let Some([moments, squares]) = looked else { return };
+        let moments: Vec<f64> = places.iter().map(|at| self.moment_at(*at)).collect();
+        if moments.iter().any(|moment| moment.is_nan()) {
+            return;
+        }
         let drives: Vec<f64> = moments.iter().map(|moment| moment * self.sense).collect();
         let sizes = drives.iter().fold(0.0f64, |most, d| most.max(d.abs()));
         let name = match self.first == ZERO {
@@ -1051,9 +1011,22 @@ impl<'d, 'a> Plane<'d, 'a> {
         } else if turns <= 1 && drives[0] >= 0.0 {
             self.say("pinned.brakes_late", &[angle]);
         } else {
-            let least = squares[1..].iter().copied().fold(f64::INFINITY, f64::min);
+            let about = self.pivot.as_ref().map_or(f64::NAN, |p| self.symbols.value(p.about));
+            let (mut square, mut least) = (self.value(&square(&self.first)), f64::INFINITY);
+            for (at, moments) in places.windows(2).zip(moments.windows(2)) {
+                let middle = self.moment_at(f64::midpoint(at[0], at[1]));
+                let mean = (moments[0] + 4.0 * middle + moments[1]) / 6.0;
+                square += 2.0 * mean * (at[1] - at[0]).to_radians() / about;
+                least = least.min(square);
+            }
             self.say("pinned.never_rests", &[angle, ("least", &self.rough(least.sqrt(), "rad/s"))]);
         }
+    }
+
+    /// The moment of all forces at this leading angle, degrees.
+    fn moment_at(&self, angle: f64) -> f64 {
+        let first = self.value(&self.turns[0].at[START]);
+        self.balance_after((angle - first).to_radians()).map_or(f64::NAN, |[moment, ..]| moment)
     }
 
     /// Displayed lines so far.

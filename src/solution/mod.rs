@@ -133,7 +133,7 @@ fn made(
     let short = if derived.is_ok() { too_short(&mut draft) } else { Vec::new() };
     if !short.is_empty() {
         let symbols = Symbols::new(words).with_figures(short);
-        draft = Draft::trial((problem, variant), scene, words, symbols, draft.unknown);
+        draft = Draft::new(problem, variant, scene, words, symbols);
         draft.detail = detail;
         derived = derive(&mut draft);
     }

@@ -188,36 +188,41 @@ impl Plane<'_, '_> {
         behind.iter().all(|s| !open.contains(s)).then(|| needed(all, behind))
     }
     /// How these are told with their values: what was known before first, then in order, then what else is wanted; how each follows where
-    /// that fits.
+    /// that fits, and of what was solved for together where all that it follows from is told.
     fn lines_in_order(&self, order: &[Found], wanted: &[SymbolId], plain: bool) -> Vec<String> {
         let ordered: Vec<SymbolId> = order.iter().flat_map(|f| f.symbols.clone()).collect();
+        let together = order.is_empty();
         let rest = wanted.iter().copied().filter(|s| !ordered.contains(s));
         let (first, last): (Vec<_>, Vec<_>) =
-            rest.partition(|s| self.bodies.iter().any(|b| b.alpha == Some(*s)));
-        let each = [first, ordered, last].concat().into_iter().map(|s| {
-            let found = order.iter().find(|f| f.symbols.contains(&s));
-            let is = found.map_or_else(|| self.from(s), |f| f.is.clone().unwrap_or_else(|| s.into()));
-            let short = plain || self.symbols.value(s) == 0.0;
-            self.chain(s, &if short { s.into() } else { is })
+            rest.partition(|s| !together && self.bodies.iter().any(|b| b.alpha == Some(*s)));
+        let (all, solved) = ([first, ordered, last].concat(), self.solved_for());
+        let each = all.iter().map(|s| {
+            let found = order.iter().find(|f| f.symbols.contains(s));
+            let is = found.map_or_else(|| self.from(*s), |f| f.is.clone().unwrap_or_else(|| (*s).into()));
+            let untold = together && is.uses().iter().any(|u| solved.contains(u) && !all.contains(u));
+            let short = plain || untold || self.symbols.value(*s) == 0.0;
+            self.chain(*s, &if short { (*s).into() } else { is })
         });
         each.collect()
     }
-    /// Tells the forces and accelerations that are wanted in the order in which the equations give them, of a single body with all that
-    /// is known besides, as far as the page has room; `false` where no such order is found.
-    pub fn tell_in_order(&mut self, known: Option<SymbolId>, wanted: &[SymbolId], room: usize) -> bool {
+    /// What the equations are solved for.
+    fn solved_for(&self) -> Vec<SymbolId> {
+        [self.accelerations(), self.reactions()].concat()
+    }
+    /// Tells the forces and accelerations that are wanted, of a single body with all that is known besides, as far as the page has room:
+    /// in the order in which the equations give them, or where no such order is found as all of them together do.
+    pub fn tell_solved(&mut self, known: Option<SymbolId>, wanted: &[SymbolId], room: usize) {
         let several = self.bodies.len() > 1;
-        let room = if several { room.max(LEAST) } else { room };
         let mut all = wanted.to_vec();
         if !several {
-            let solved = [self.accelerations(), self.reactions()].concat();
-            all.extend(
-                solved.into_iter().filter(|s| !wanted.contains(s) && !self.symbols.value(*s).is_nan()),
-            );
+            let besides = self.solved_for().into_iter();
+            all.extend(besides.filter(|s| !wanted.contains(s) && !self.symbols.value(*s).is_nan()));
         }
+        let more = if several { room.max(LEAST) } else { room };
         for (wanted, last) in [(&all[..], several), (wanted, true)] {
             let Some(order) = self.in_order(known, wanted) else { continue };
             let mut lines = self.lines_in_order(&order, wanted, false);
-            if packed(lines.clone()).len() > room {
+            if packed(lines.clone()).len() > more {
                 if !last {
                     continue;
                 }
@@ -227,8 +232,13 @@ impl Plane<'_, '_> {
             self.page.formulas_or_one(lines);
             self.page.follow(&order);
             self.skip_new();
-            return true;
+            return;
         }
-        false
+        self.say("joined.together", &[]);
+        let lines = [&all[..], wanted].map(|told| self.lines_in_order(&[], told, false));
+        let fits = packed(lines[0].clone()).len() <= room;
+        let [whole, asked] = lines;
+        self.page.formulas_or_one(if fits { whole } else { asked });
+        self.skip_new();
     }
 }

@@ -373,9 +373,12 @@ impl<'d, 'a> Page<'d, 'a> {
         let name = if steady { "carried.steady" } else { "carried.apparent" };
         self.say(name, &[("speed", speed), ("acceleration", acceleration)]);
     }
-    /// The angle of a vector with these components, counter-clockwise from the right.
-    pub fn angle_of(&self, x: SymbolId, y: SymbolId) -> Expr {
-        in_sense(arc_cosine(x / length(x, y)), self.symbols.value(y))
+    /// The size of a force with these components, or its angle, counter-clockwise from the right.
+    pub fn composed(&self, quantity: Quantity, [x, y]: [SymbolId; 2]) -> Expr {
+        match quantity {
+            Quantity::PinAngle => in_sense(arc_cosine(x / length(x, y)), self.symbols.value(y)),
+            _ => length(x, y),
+        }
     }
     /// The magnitude of a quantity: itself, or under bars where it is negative.
     pub fn sized(&mut self, symbol: SymbolId) -> SymbolId {

@@ -1,7 +1,8 @@
 //! Bodies that are joined in the plane, in symbols: where each joint places them, the velocities and accelerations that follow by
 //! differentiation, all forces with their directions and levers, the balance of work, and the linear equations of one place.
 //!
-//! Where the bodies are, the number of an angle that the joints give, and what is integrated along the way are those of the key.
+//! Where the bodies are, the number of an angle that the joints give, and what is integrated along the way are those of the key; the
+//! numbers of the balance of work beside the asked place are those of that method.
 use crate::figure::names;
 use crate::num::{Jet, gauss, trig};
 use crate::scene::pose::{self, Layout, Poses};
@@ -21,6 +22,7 @@ use crate::solution::page::{Page, Step, WITHIN};
 use crate::solution::stop::{Beyond, DerivationStop, unfound};
 use crate::solution::terms::{self, Carrying, tagged};
 use crate::solution::written::width;
+use crate::solve::energy;
 
 /// The start, and the place that is asked.
 pub const START: usize = 0;
@@ -839,21 +841,15 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// The places of the key, at the start and where it is asked.
     fn both_poses(&self) -> Option<[Poses<Jet<f64>>; 2]> {
-        let still = self.scene.end == End::AtOnce;
-        let [first, last] = self.turns[0].at.each_ref().map(|angle| self.value(angle));
-        let way = if still { 0.0 } else { (last - first).to_radians() };
-        Some([self.poses(0.0, true)?, self.poses(way, still)?])
+        Some([self.poses(0.0, true)?, self.poses(self.way(), self.scene.end == End::AtOnce)?])
     }
 
     /// The numbers of all angles, from the places of the key: at the start and at the place that is asked, degrees.
     fn angles(&self) -> Option<[Vec<f64>; 2]> {
         let angles = |poses: Poses<Jet<f64>>| -> Vec<f64> {
             let each = poses.iter().zip(&self.scene.bodies).map(|(pose, body)| {
-                let (planar, axis) = (body.planar.as_ref(), pose.axis.map(|x| x.value));
-                let from = planar.map_or([1.0, 0.0], |p| p.from.components());
-                let sense = if planar.is_some_and(|p| p.clockwise) { -1.0 } else { 1.0 };
-                let across = sense * (from[0] * axis[1] - from[1] * axis[0]);
-                let angle = trig::atan2(across, from[0] * axis[0] + from[1] * axis[1]).to_degrees();
+                let turned = |p| pose::turned_from(p, pose.axis.map(|x| x.value), p.from.components());
+                let angle = body.planar.as_ref().map_or(0.0, turned).to_degrees();
                 // An angle that is 0 but for rounding.
                 if angle.abs() < NOTHING { 0.0 } else { angle }
             });
@@ -960,11 +956,11 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// The change of the leading angle in degrees that the key has, with its sign.
-    fn way_of_key(&mut self, first: f64) -> Option<f64> {
+    fn way_of_key(&self) -> Option<f64> {
         let numbers = Numbers::<f64>::new(self.scene, &self.values);
         let per_way = Layout::new(self.scene, &numbers)?.turned(1.0);
         let way = self.key(of_body(Quantity::Phi, self.lead))? / per_way;
-        let start = self.poses(0.0, true)?;
+        let [force, inertia, _] = self.balance_after(0.0)?;
         let mut spin = self.value(&self.first);
         if self.scene.is_struck() {
             let moving = self.poses(0.0, false)?;
@@ -973,28 +969,20 @@ impl<'d, 'a> Plane<'d, 'a> {
                 let [c, s] = pose::direction(&numbers, p.direction_deg);
                 self.datum(p.force_n) * (v[0] * c + v[1] * s)
             });
-            spin = spin * self.first_inertia() + blows.sum::<f64>();
+            spin = spin * inertia + blows.sum::<f64>();
         }
-        if spin != 0.0 {
-            return Some((way * spin.signum()).to_degrees());
-        }
-        // Of the two senses that in which the mass centres rise as the key has it.
-        let miss = |way: f64| -> f64 {
-            let Some(end) = self.poses(way, false) else { return f64::INFINITY };
-            let each = self.scene.bodies.iter().enumerate().map(|(b, body)| {
-                let along = [body.planar.as_ref().map_or(0.0, |p| pose::along(&numbers, p.centre)), 0.0];
-                let rise = end[b].point(along)[1].value - start[b].point(along)[1].value;
-                self.key(of_body(Quantity::Rise, b)).map_or(0.0, |key| (key - rise).abs())
-            });
-            each.sum()
-        };
-        let (ahead, behind) = (miss(way), miss(-way));
-        if (ahead - behind).abs() > NOTHING {
-            return Some(if ahead < behind { way } else { -way }.to_degrees());
-        }
-        // Both alike: the sense in which the work of all forces sets it off.
-        let work = self.tried(first + 1.0, |plane| plane.work())?;
-        Some((way * work.signum()).to_degrees())
+        let sense = if spin == 0.0 { force } else { spin };
+        Some((way * sense.signum()).to_degrees())
+    }
+    /// Force, inertia and bend of the balance of work `J q'' + B q'^2 = Q` where the leading angle has changed by this, rad: as that
+    /// method has them.
+    pub fn balance_after(&self, way: f64) -> Option<[f64; 3]> {
+        energy::joined::balance_after(self.scene, &Numbers::new(self.scene, &self.values), way)
+    }
+    /// By how much the leading angle has changed at the asked place, rad.
+    pub fn way(&self) -> f64 {
+        let [first, last] = self.turns[0].at.each_ref().map(|angle| self.value(angle));
+        if self.scene.end == End::AtOnce { 0.0 } else { (last - first).to_radians() }
     }
 
     /// Places all bodies one after the other, as [`crate::scene::pose`] does.
@@ -1035,15 +1023,11 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.letter.clone_from(&name);
         let last = match scene.end {
             End::AtOnce => first.clone(),
-            End::Angle(_, angle) if self.varies.is_none() => self.number(angle, &format!("{name}_1"), "deg"),
+            End::Angle(_, angle) => self.number(angle, &format!("{name}_1"), "deg"),
             _ => {
-                let start = self.value(&first);
-                let key = |this: &mut Self| {
-                    let angle = start + this.way_of_key(start)?;
-                    // One that is 0 but for rounding.
-                    Some(if angle.abs() < NOTHING { 0.0 } else { angle })
-                };
-                let at = self.varies.or_else(|| key(self)).ok_or(Beyond::Unfound)?;
+                let angle = self.value(&first) + self.way_of_key().ok_or(Beyond::Unfound)?;
+                // One that is 0 but for rounding.
+                let at = if angle.abs() < NOTHING { 0.0 } else { angle };
                 let name = self.free(&[format!("{name}_1"), format!("{name}_2")]);
                 let symbol = self.symbols.given(&name, f64::NAN, "", "", true);
                 self.symbols.settle(symbol, at, 0.0);
@@ -1377,7 +1361,6 @@ impl<'d, 'a> Plane<'d, 'a> {
         let data = &self.variant.data;
         let numbers = Numbers::<f64>::new(self.scene, data);
         let Some(layout) = Layout::new(self.scene, &numbers) else { return f64::NAN };
-        let way = (self.value(&self.turns[0].at[END]) - self.value(&self.turns[0].at[START])).to_radians();
         let [c, s] = pose::direction(&numbers, push.direction_deg);
         let power = |at: f64| -> Result<f64, DerivationStop> {
             let poses = layout.poses::<Jet<f64>>(at, false).ok_or(Beyond::Unfound)?;
@@ -1387,7 +1370,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             Ok((x * c - y * s) * v[0] + (y * c + x * s) * v[1])
         };
         self.scene.value(push.force_n, data)
-            * gauss::short().integral(power, (0.0, way), 0.0).unwrap_or(f64::NAN)
+            * gauss::short().integral(power, (0.0, self.way()), 0.0).unwrap_or(f64::NAN)
     }
 
     /// A force that is directed to a place at all times: its work is that over the length by which it comes nearer.
@@ -1741,11 +1724,8 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// The angular velocity of a body per unit rate of the leading angle, as its own angle counts.
     pub fn spin(&self, body: usize) -> Expr {
-        self.spin_at(body, END)
-    }
-    fn spin_at(&self, body: usize, which: usize) -> Expr {
         match self.bodies[body].turn {
-            Some(turn) if self.scene.bodies[body].turns => self.turns[turn].rate[which].clone(),
+            Some(turn) if self.scene.bodies[body].turns => self.turns[turn].rate[END].clone(),
             _ => ZERO,
         }
     }
@@ -1865,8 +1845,8 @@ impl<'d, 'a> Plane<'d, 'a> {
     pub fn stiffness(&mut self) -> Option<SymbolId> {
         let k = self.named(&[r"k_{\varphi}", r"k_{\psi}"], "N m");
         if self.bodies.len() > 1 || self.turns.iter().any(|turn| turn.link.is_some()) {
-            let [_, curvature] = self.derivatives(&|plane| plane.work())?;
-            self.symbols.settle(k, -curvature, 0.0);
+            let less = self.softening()?;
+            self.symbols.settle(k, less, 0.0);
         } else {
             let all = self.balanced()?;
             let angle = self.turns[0].at[END].uses().first().copied()?;
@@ -1878,29 +1858,17 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.k = Some(k);
         Some(k)
     }
-    /// First and second derivative by the leading angle, at the asked place: central differences, exact up to the eighth power of
+    /// By how much less the force of the balance is per angle at the asked place: central differences, exact up to the eighth power of
     /// the step.
-    pub fn derivatives(&self, of: &dyn Fn(&mut Plane<'_, '_>) -> f64) -> Option<[f64; 2]> {
-        const STEP_DEG: f64 = 2.0;
-        const SHARES: [[f64; 2]; 4] = [
-            [4.0 / 5.0, 8.0 / 5.0],
-            [-1.0 / 5.0, -1.0 / 5.0],
-            [4.0 / 105.0, 8.0 / 315.0],
-            [-1.0 / 280.0, -1.0 / 560.0],
-        ];
-        let at = |steps: f64| self.varied(steps * STEP_DEG, of);
-        let (mut first, mut second) = (0.0, -205.0 / 72.0 * at(0.0)?);
-        for (steps, [one, two]) in [1.0, 2.0, 3.0, 4.0].into_iter().zip(SHARES) {
-            let (ahead, behind) = (at(steps)?, at(-steps)?);
-            first += one * (ahead - behind);
-            second += two * (ahead + behind);
+    fn softening(&self) -> Option<f64> {
+        const STEP: f64 = 0.035;
+        const SHARES: [f64; 4] = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
+        let force = |steps: f64| self.balance_after(self.way() + steps * STEP).map(|[force, ..]| force);
+        let mut less = 0.0;
+        for (steps, share) in [1.0, 2.0, 3.0, 4.0].into_iter().zip(SHARES) {
+            less += share * (force(-steps)? - force(steps)?) / STEP;
         }
-        let step = STEP_DEG.to_radians();
-        Some([first / step, second / (step * step)])
-    }
-    /// The work of all forces up to here.
-    pub fn work(&self) -> f64 {
-        self.value(&sum(self.works.clone()))
+        Some(less)
     }
 
     /// What the equations give one after the other: each from one in which it is the only unknown.
@@ -1982,30 +1950,30 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.speeds.clone_from(&all);
         all
     }
-    /// The inertia of the motion, `J` in `1/2 J q'^2`, with these speeds of the mass centres; at the start in the symbols of the places.
-    pub fn inertia(&self, which: usize, speeds: &[Expr]) -> Sum {
+    /// The inertia of the motion, `J` in `1/2 J q'^2`, with these speeds of the mass centres.
+    pub fn inertia(&self, speeds: &[Expr]) -> Sum {
         let each = self.bodies.iter().enumerate().map(|(b, it)| {
             let centre = self.centre(b);
-            let v = self.drifts.clone().unwrap_or_else(|| self.rates(&centre, which));
+            let v = self.drifts.clone().unwrap_or_else(|| self.rates(&centre, END));
             let named = |speed: &&Expr| self.bodies.len() > 1 || matches!(speed, Expr::Symbol(_));
             let own = speeds.get(b).filter(named).map_or_else(|| product(&v, &v), |v| Sum::one(square(v)));
-            it.mass.each(&own).plus(&self.turning(b, which))
+            it.mass.each(&own).plus(&self.turning(b))
         });
         each.sum()
     }
     /// The same, by its symbol where it has one.
     fn whole_inertia(&mut self) -> Expr {
         let speeds = self.speeds();
-        self.j.map_or_else(|| self.inertia(END, &speeds).expr(), Expr::from)
+        self.j.map_or_else(|| self.inertia(&speeds).expr(), Expr::from)
     }
     /// Share of the rotation about the mass centre of a body in [`Self::inertia`].
-    fn turning(&self, body: usize, which: usize) -> Sum {
-        let spin = square(self.positive(&self.spin_at(body, which)));
+    fn turning(&self, body: usize) -> Sum {
+        let spin = square(self.positive(&self.spin(body)));
         self.bodies[body].inertia.iter().map(|i| i.times(&spin)).collect()
     }
     /// Share of the rotation about the mass centres in the kinetic energy.
     pub fn rotation(&self) -> Sum {
-        (0..self.bodies.len()).map(|body| self.turning(body, END)).sum()
+        (0..self.bodies.len()).map(|body| self.turning(body)).sum()
     }
     /// Of a single body, what is left when the forces of the joints are eliminated, `J q'' = Q - B q'^2`: `Q` and `B`.
     pub fn eliminated(&mut self) -> Option<[Sum; 2]> {
@@ -2220,16 +2188,16 @@ impl<'d, 'a> Plane<'d, 'a> {
             Q::PinX | Q::PinY if !pivot.radial => {
                 return Ok(Some(pivot.force[usize::from(label.quantity == Q::PinY)]));
             }
-            Q::PinForce => (["F_O", "O"], length(r, s)),
             Q::PinX | Q::PinY => {
                 let i = usize::from(label.quantity == Q::PinY);
                 let shares = [r, s].into_iter().zip(self.basis());
                 let is = positive_first(shares.map(|(force, unit)| unit[i].times(force).expr()));
                 ([["O_x", "X_O"], ["O_y", "Y_O"]][i], is)
             }
+            Q::PinForce => (["F_O", "O"], self.composed(Q::PinForce, pivot.force)),
             Q::PinAngle => {
-                let (x, y) = (of(self, Q::PinX)?, of(self, Q::PinY)?);
-                ([r"\psi_O", r"\chi_O"], self.angle_of(x, y))
+                let both = [of(self, Q::PinX)?, of(self, Q::PinY)?];
+                ([r"\psi_O", r"\chi_O"], self.composed(Q::PinAngle, both))
             }
             Q::RotationalFraction => ([r"\eta", r"eta"], pivot.own.over(about)),
             Q::AngularMomentum => (["L", r"\Lambda"], about.by(of(self, Q::Omega)?)),
@@ -2308,42 +2276,15 @@ impl<'d, 'a> Plane<'d, 'a> {
         let couples = self.scene.couples.iter();
         positive_first(couples.map(|c| signed(self.page.number(c.moment_n_m, "M", "N m"), c.forward)))
     }
-    /// What is made of the same scene, its asked angle as one that varies, so much away.
-    pub fn varied<T>(&self, by_deg: f64, of: impl FnOnce(&mut Plane<'_, '_>) -> T) -> Option<T> {
-        self.tried(self.value(&self.turns[0].at[END]) + by_deg, of)
-    }
-    /// The same at this angle.
-    fn tried<T>(&self, at_deg: f64, of: impl FnOnce(&mut Plane<'_, '_>) -> T) -> Option<T> {
-        let d = &*self.page.draft;
-        let mut draft = Draft::trial((d.problem, d.variant), d.scene, d.words, d.symbols.anew(), d.unknown);
-        draft.varies = Some(at_deg);
-        Plane::new(&mut draft).ok().map(|mut plane| of(&mut plane))
-    }
-    /// What an expression comes to with the leading angle elsewhere, degrees. What was found from that angle is put in.
-    pub fn along_way(&mut self, of: &Expr, degrees: f64) -> f64 {
-        let angle = self.turns[0].at[END].uses();
-        let kept: Vec<f64> = angle.iter().map(|a| self.symbols.value(*a)).collect();
-        angle.iter().for_each(|a| self.symbols.place(*a, degrees));
-        let value = self.page.expanded(of).value(&self.symbols);
-        angle.iter().zip(kept).for_each(|(a, x)| self.symbols.place(*a, x));
-        value
-    }
-    /// The square of the angular speed of a body on a pin, by the balance of work.
-    pub fn square(&self, pivot: &Pivot) -> Expr {
-        let square = square(&self.first) + number(2) * sum(self.works.clone()) / pivot.about;
-        self.page.expanded(&square)
-    }
-
     /// The force of a joint.
     pub fn of_joint(&mut self, quantity: Quantity, joint: usize) -> Option<SymbolId> {
         let own: Vec<SymbolId> = self.holds.iter().filter(|h| h.joint == joint).map(|h| h.unknown).collect();
         match quantity {
             Quantity::PinForce | Quantity::PinAngle => {
-                let ([x, y, ..], tag) = (&own[..], names::joint(self.scene, joint)) else { return None };
-                Some(match quantity {
-                    Quantity::PinForce => self.page.find(&[tagged("R", &tag)], "N", length(*x, *y)),
-                    _ => self.page.find(&[tagged(r"\psi", &tag)], "rad", self.page.angle_of(*x, *y)),
-                })
+                let [x, y, ..] = own[..] else { return None };
+                let letter = if quantity == Quantity::PinForce { "R" } else { r"\psi" };
+                let name = tagged(letter, &names::joint(self.scene, joint));
+                Some(self.page.find(&[name], quantity.unit(), self.page.composed(quantity, [x, y])))
             }
             Quantity::PinY => own.get(1).copied(),
             Quantity::Moment => own.get(2).copied(),
@@ -2358,17 +2299,6 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
     }
 
-    /// The inertia of the motion at the start, from the places of the key.
-    pub fn first_inertia(&self) -> f64 {
-        let Some(poses) = self.poses(0.0, false) else { return f64::NAN };
-        let each = self.bodies.iter().enumerate().map(|(b, it)| {
-            let v = poses[b].point([self.value(&it.centre.expr()), 0.0]).map(|x| x.first);
-            let (spin, _) = poses[b].turn();
-            let inertia = self.value(&sum(it.inertia.iter().map(Factors::expr)));
-            self.value(&it.mass.expr()) * (v[0] * v[0] + v[1] * v[1]) + inertia * spin * spin
-        });
-        each.sum()
-    }
     /// The lengths of light rods and cords that guide a body on its way.
     pub fn lengths(&self) -> Vec<SymbolId> {
         let cords = self.turns.iter().filter_map(|t| t.link);

@@ -47,11 +47,6 @@ impl<'w> Symbols<'w> {
         Self { kept: Some(figures.max(1)), ..Self::new(words) }
     }
 
-    /// An empty one of the same reader.
-    pub const fn anew(&self) -> Self {
-        Self { words: self.words, lines: Vec::new(), kept: self.kept, longer: Vec::new() }
-    }
-
     /// An empty one that shows these with so many figures.
     pub fn with_figures(self, longer: Vec<(SymbolId, usize)>) -> Self {
         Self { longer, ..self }

@@ -41,7 +41,8 @@ fn miss<T: Real>(found: &Found, road: &Road<T>, data: &[f64]) -> Option<T> {
 /// # Errors
 /// Those of the road; no value of the stated range gives it, or it cannot be shown to be the only one.
 pub fn road<T: Real>(found: &Found, data: &[f64], forward: &Forward<T>) -> Result<Road<T>, Refusal> {
-    let root = search(found, data, forward).ok_or_else(|| nowhere(found, data, forward))?;
+    let root =
+        search(found, data, forward.rough, T::is_double()).ok_or_else(|| nowhere(found, data, forward))?;
     let mut at = data.to_vec();
     let unknown = found.unknown.datum;
     if T::ENCLOSES {
@@ -84,13 +85,14 @@ fn nowhere<T: Real>(found: &Found, data: &[f64], forward: &Forward<T>) -> Refusa
         .unwrap_or(Refusal::NotFound)
 }
 
-/// The root to a few units of doubles, in the first place of the range where the sign changes.
-fn search<T: Real>(found: &Found, data: &[f64], forward: &Forward<T>) -> Option<f64> {
+/// The root to a few units of doubles, in the first place of the range where the sign changes,
+/// or beyond it too.
+pub fn search(found: &Found, data: &[f64], rough: Says<Fast>, beyond_too: bool) -> Option<f64> {
     let printed: f64 = found.measured.value(data);
     let miss = |x: f64| {
         let mut at = data.to_vec();
         at[found.unknown.datum] = x;
-        let road = (forward.rough)(&at, Scope::only([found.label.quantity])).ok();
+        let road = rough(&at, Scope::only([found.label.quantity])).ok();
         road.and_then(|road| Some(road.get(found.label)?.value)).unwrap_or(f64::NAN) - printed
     };
     let between = |low: (f64, f64), high: (f64, f64)| {
@@ -100,7 +102,7 @@ fn search<T: Real>(found: &Found, data: &[f64], forward: &Forward<T>) -> Option<
     let [low, high] = found.range;
     // A wrong method may come to a value beyond the range; what is published may not.
     let beyond = [(low, low - 3.0 * low.abs() / 4.0), (high, high + 3.0 * high.abs())];
-    let tried = std::iter::once((low, high)).chain(beyond.into_iter().filter(|_| T::is_double()));
+    let tried = std::iter::once((low, high)).chain(beyond.into_iter().filter(|_| beyond_too));
     for (low, high) in tried {
         let mut before: Option<(f64, f64)> = None;
         let step = (high - low) / f64::from(PLACES);

@@ -169,10 +169,11 @@ impl SceneReader<'_> {
     }
 
     /// A point, `[x, y]`.
-    pub(super) fn place(&self, node: &Node) -> Option<(Num, Num)> {
+    pub(super) fn place(&self, node: &Node) -> Option<[Num; 2]> {
         match &node.value {
             Value::List(xy) if xy.len() == 2 => {
-                self.number(&xy[0], Need::PLACE).zip(self.number(&xy[1], Need::PLACE))
+                let [x, y] = [&xy[0], &xy[1]].map(|n| self.number(n, Need::PLACE));
+                Some([x?, y?])
             }
             _ => {
                 let message = told!("expected a place such as `[x_A, y_A]`, found {}", node.kind());

@@ -72,7 +72,7 @@ impl SceneReader<'_> {
         let centre = given.unwrap_or(rod.map_or(Place::At(Num::Fixed(0.0)), Place::HalfOf));
         let angle = fields.get("angle").and_then(|n| self.word(n, "from where the angle counts", &ANGLES));
         let (from, clockwise) = angle.unwrap_or((Ray::Right, false));
-        let origin_m = fields.get("placed").and_then(|n| self.place(n)).map(|(x, y)| [x, y]);
+        let origin_m = fields.get("placed").and_then(|n| self.place(n));
         let words = [("ahead", Branch::Ahead), ("behind", Branch::Behind)];
         let side = fields.get("side").and_then(|n| self.word(n, "on which side it lies", &words));
         Planar {
@@ -236,7 +236,7 @@ impl SceneReader<'_> {
     fn ground(&self, node: Option<&Node>) -> Option<[Num; 2]> {
         match node {
             None => Some([Num::Fixed(0.0); 2]),
-            Some(n) => self.place(n).map(|(x, y)| [x, y]),
+            Some(n) => self.place(n),
         }
     }
 
@@ -425,7 +425,7 @@ impl SceneReader<'_> {
             (None, None) if toward.is_some() => Some(Num::Fixed(0.0)),
             (None, n) => n.and_then(|n| self.direction(n, &WHITHER)),
         };
-        let toward_m = toward.and_then(|n| self.place(n)).map(|(x, y)| [x, y]);
+        let toward_m = toward.and_then(|n| self.place(n));
         let name = own_name(&mut fields, symbol, count);
         let turns = turning.is_some();
         Some(Push { name, at: at?, force_n: force?, direction_deg: direction?, turns, toward_m, blow })
@@ -468,7 +468,7 @@ impl SceneReader<'_> {
         let mut fields = Fields::open(node, "a spring (on, to, stiffness, natural length)", f)?;
         let at = fields.need("on", "rod.B").and_then(|n| self.spot(n, bodies));
         let to = fields.need("to", "[x_A, y_A]").and_then(|n| match &n.value {
-            Value::List(_) => self.place(n).map(|(x, y)| StrutEnd::Ground([x, y])),
+            Value::List(_) => self.place(n).map(StrutEnd::Ground),
             Value::Map(_) => {
                 let mut fields = Fields::open(n, "a guide (along, through)", f)?;
                 let through = self.ground(fields.get("through"));

@@ -14,7 +14,7 @@ impl ClassReporter<'_> {
     pub(super) fn student_lines(&self) -> Vec<Value> {
         let marks = self.marks;
         let number = |value: f64| self.words.number(&points(value));
-        let line = |(s, student): (usize, &crate::report::marks::Student)| {
+        let line = |(s, student): (usize, &crate::set::store::StoredStudent)| {
             let of_problem = |problem: usize| {
                 let parts = (0..marks.class.parts.len())
                     .filter(|p| marks.class.parts[*p].number == problem + 1 && marks.asked(s, *p));
@@ -23,7 +23,7 @@ impl ClassReporter<'_> {
             };
             let (total, most) = marks.totals[s];
             json!({
-                "id": student.id,
+                "id": student.student,
                 "name": student.name,
                 "problems": (0..marks.class.problems.len()).map(of_problem).collect::<Vec<_>>(),
                 "total": number(total),

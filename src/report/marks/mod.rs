@@ -2,30 +2,10 @@
 //! right. What is held grows with students times parts, not with rows.
 mod read;
 
+use crate::grade::row::AnswerRow;
 use crate::grade::verdict::Verdict;
+use crate::set::store::StoredStudent;
 use std::collections::BTreeMap;
-
-/// A student of the set.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Student {
-    /// Id, as on the roster.
-    pub id: String,
-    /// Name, empty if none is known.
-    pub name: String,
-    /// Name of the student's folder.
-    pub folder: String,
-    /// What was drawn, one for each problem.
-    pub drawn: Vec<Drawn>,
-}
-
-/// What a student was dealt for one problem.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Drawn {
-    /// Name of the case, empty if there is one.
-    pub case: String,
-    /// Symbol and number as printed; equal symbols have equal units within a problem.
-    pub data: Vec<(String, f64)>,
-}
 
 /// A part of a problem.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -56,7 +36,7 @@ impl MarkedPart {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MarkedClass {
     /// In the order of the set.
-    pub students: Vec<Student>,
+    pub students: Vec<StoredStudent>,
     /// Titles of the problems, in the order of the sheet.
     pub problems: Vec<String>,
     /// In the order of the sheet.
@@ -67,34 +47,14 @@ pub struct MarkedClass {
     pub day_first: Option<bool>,
 }
 
-#[derive(Debug, Clone, PartialEq)]
-pub struct CountingRow {
-    /// Line of the file of submissions.
-    pub line: u64,
-    /// What became of it.
-    pub verdict: Verdict,
-    /// Points after credit, penalties and lateness.
-    pub points: f64,
-    /// What was handed in, shortened to [`LONGEST`].
-    pub answer: String,
-    /// Why.
-    pub reason: String,
-    /// Ids of the wrong methods that fit, most likely first.
-    pub methods: Vec<String>,
-    /// `power_of_ten:3` and its like; empty for none.
-    pub slip: String,
-    /// Words such as `late:0.8`.
-    pub credit: Vec<String>,
-}
-
 /// Signs of an answer or a reason that are kept.
 pub const LONGEST: usize = 240;
 
 /// All that is known of one student and part.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MarkedCell {
-    /// The row that counts; none where nothing but blanks was handed in.
-    pub row: Option<CountingRow>,
+    /// The row that counts, its answer and reason shortened to [`LONGEST`]; none where nothing but blanks was handed in.
+    pub row: Option<AnswerRow<'static>>,
     /// Rows that are not blank.
     pub attempts: u32,
     /// Which of them was right first, from 1; in the order of time, where times are known.

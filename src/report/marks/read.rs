@@ -1,9 +1,10 @@
 //! answers.csv and gradebook.csv to marks, in a stream.
+use crate::finding::Finding;
 use crate::grade::gradebook_reader;
-use crate::grade::row::{AnswerReader, AnswerRow, Unreadable};
+use crate::grade::row::{AnswerReader, AnswerRow, in_line};
 use crate::grade::verdict::Verdict;
 use crate::policy::time::{self, Evidence};
-use crate::report::marks::{CountingRow, EXAMPLES, LONGEST, MarkedCell, MarkedClass, MarkedPart, Marks};
+use crate::report::marks::{EXAMPLES, LONGEST, MarkedCell, MarkedClass, MarkedPart, Marks};
 use crate::words::Words;
 use crate::words::plain::{beginning, in_places};
 use rustc_hash::FxHashMap;
@@ -27,11 +28,11 @@ impl Marks {
     pub fn read<R: Read>(
         mut class: MarkedClass,
         open: &mut dyn FnMut() -> std::io::Result<R>,
-    ) -> Result<Self, Unreadable> {
+    ) -> Result<Self, Finding> {
         let size = class.students.len() * class.parts.len();
         class.asked.resize(size, false);
         let whose: FxHashMap<String, usize> =
-            class.students.iter().enumerate().map(|(i, s)| (s.id.clone(), i)).collect();
+            class.students.iter().enumerate().map(|(i, s)| (s.student.clone(), i)).collect();
         let mut which: FxHashMap<String, FxHashMap<String, usize>> = FxHashMap::default();
         for (i, part) in class.parts.iter().enumerate() {
             which.entry(part.number.to_string()).or_default().insert(part.id.clone(), i);
@@ -45,8 +46,8 @@ impl Marks {
         let mut seen = vec![Seen::default(); size];
         let mut evidence = Evidence::default();
         let mut pass =
-            |marks: &mut Self, see: &mut dyn FnMut(&mut Self, &PlacedRow)| -> Result<(), Unreadable> {
-                let source = open().map_err(|e| Unreadable { line: 0, what: e.to_string() })?;
+            |marks: &mut Self, see: &mut dyn FnMut(&mut Self, &PlacedRow)| -> Result<(), Finding> {
+                let source = open().map_err(|e| Finding::new("", e.to_string()))?;
                 let mut reader = AnswerReader::new(source)?;
                 let mut number = 0;
                 while let Some(row) = reader.next_row()? {
@@ -161,17 +162,14 @@ impl Marks {
 
     /// Takes the points and totals of gradebook.csv, which knows of corrections, dropped problems and rounding, in place of the
     /// sums of the rows that count. Errors: it is no gradebook, or that of another class.
-    pub fn book(&mut self, gradebook: impl Read) -> Result<(), Unreadable> {
+    pub fn book(&mut self, gradebook: impl Read) -> Result<(), Finding> {
         let parts: Vec<String> = self.class.parts.iter().map(MarkedPart::label).collect();
         let whose: FxHashMap<String, usize> =
-            self.class.students.iter().enumerate().map(|(i, s)| (s.id.clone(), i)).collect();
+            self.class.students.iter().enumerate().map(|(i, s)| (s.student.clone(), i)).collect();
         let mut found = 0;
         gradebook_reader::each_row(gradebook, &parts, false, &mut |row| {
             let Some(who) = whose.get(&row.student).copied() else {
-                return Err(Unreadable {
-                    line: row.line,
-                    what: format!("`{}` is not in the set", row.student),
-                });
+                return Err(in_line(row.line, format!("`{}` is not in the set", row.student)));
             };
             found += 1;
             self.given[who * parts.len()..][..parts.len()].copy_from_slice(&row.points);
@@ -184,7 +182,7 @@ impl Marks {
             return Ok(());
         }
         let what = format!("has {found} students, the set {}", self.class.students.len());
-        Err(Unreadable { line: 0, what })
+        Err(Finding::new("", what))
     }
 }
 
@@ -210,19 +208,10 @@ impl PlacedRow<'_> {
         }
     }
 
-    fn counting(&self) -> CountingRow {
-        let row = &self.row;
-        let words = |text: &str| text.split_whitespace().map(str::to_owned).collect();
-        CountingRow {
-            line: row.line,
-            verdict: row.verdict,
-            points: row.points,
-            answer: beginning(&row.answer, LONGEST),
-            reason: beginning(&row.reason, LONGEST),
-            methods: words(&row.methods),
-            slip: row.slip.clone().into_owned(),
-            credit: words(&row.credit),
-        }
+    fn counting(&self) -> AnswerRow<'static> {
+        let [answer, reason] =
+            [&self.row.answer, &self.row.reason].map(|text| beginning(text, LONGEST).into());
+        AnswerRow { answer, reason, ..self.row.clone() }.into_owned()
     }
 }
 
@@ -242,11 +231,13 @@ fn superseded(reason: &str) -> Option<(Verdict, String)> {
 #[allow(clippy::float_cmp, reason = "points and seconds are whole here")]
 mod tests {
     use super::*;
-    use crate::report::marks::Student;
+    use crate::set::store::StoredStudent;
 
     fn class() -> MarkedClass {
         MarkedClass {
-            students: ["a", "=b"].map(|id| Student { id: id.to_owned(), ..Student::default() }).to_vec(),
+            students: ["a", "=b"]
+                .map(|id| StoredStudent { student: id.to_owned(), ..StoredStudent::default() })
+                .to_vec(),
             problems: vec![String::new()],
             parts: ["v", "t"]
                 .map(|id| MarkedPart { number: 1, id: id.to_owned(), points: 1.0, ..MarkedPart::default() })
@@ -255,7 +246,7 @@ mod tests {
             day_first: None,
         }
     }
-    fn read(rows: &str) -> Result<Marks, Unreadable> {
+    fn read(rows: &str) -> Result<Marks, Finding> {
         let text = format!(
             "line,column,student,problem,part,answer,verdict,points,max_points,reason,methods,slip,credit,submitted_at\n{rows}"
         );
@@ -277,9 +268,8 @@ mod tests {
         let cell = marks.cell(0, 0);
         assert_eq!((cell.attempts, cell.first_right, cell.seconds), (3, Some(2), Some(900.0)));
         let row = cell.row.as_ref().unwrap();
-        assert_eq!((row.verdict, row.line, row.answer.as_str()), (Verdict::Wrong, 4, "5"));
-        assert_eq!(row.methods, ["A05", "A06"]);
-        assert_eq!(row.credit, ["late:0.8", "closed"]);
+        assert_eq!((row.verdict, row.line, &*row.answer), (Verdict::Wrong, 4, "5"));
+        assert_eq!((&*row.methods, &*row.credit), ("A05 A06", "late:0.8 closed"));
         assert_eq!(marks.cell(1, 0).row.as_ref().unwrap().answer, "=cmd");
         assert_eq!(marks.cell(1, 1).row.as_ref().unwrap().answer, "'quoted'");
         assert_eq!(marks.class.parts[0].points, 2.0);
@@ -304,10 +294,10 @@ mod tests {
 
     #[test]
     fn faults_have_a_line() {
-        assert_eq!(read("2,,a,1,v,3,great,0,2,x,,,,\n").unwrap_err().line, 2);
-        assert_eq!(read("2,,a,1,v,3,right,many,2,x,,,,\n").unwrap_err().line, 2);
+        assert_eq!(read("2,,a,1,v,3,great,0,2,x,,,,\n").unwrap_err().at, Some((2, 1)));
+        assert_eq!(read("2,,a,1,v,3,right,many,2,x,,,,\n").unwrap_err().at, Some((2, 1)));
         let none = Marks::read(class(), &mut || Ok("student,verdict\n".as_bytes())).unwrap_err();
-        assert!(none.what.contains("line"), "{none:?}");
+        assert!(none.message.contains("line"), "{none:?}");
     }
 
     #[test]

@@ -189,6 +189,16 @@ pub fn road<T: Real>(
     Ok((road, Count { evaluations: account.looked.get(), ..Count::default() }))
 }
 
+/// Force, inertia and bend of `inertia q'' + bend q'^2 = force`, SI, where the leading angle has changed by this, rad, and nothing rubs;
+/// `None` where the joints do not let it.
+#[cfg(feature = "program")]
+pub fn balance_after(scene: &Scene, n: &Numbers<f64>, way: f64) -> Option<[f64; 3]> {
+    let account = Account::new(scene, n).ok()?;
+    let poses = account.poses(way).ok()?;
+    let Balance { force, inertia, bend, .. } = account.balance(&poses, &account.rates(&poses)).ok()?;
+    Some([force, inertia, bend].map(|x| n.publish(Quantity::Work, x)))
+}
+
 impl<T: Real> Account<'_, T> {
     fn road(&mut self, asked: Scope) -> Result<Road<T>, Refusal> {
         let scene = self.scene;

@@ -57,6 +57,13 @@ pub fn road_of<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Roa
     }
 }
 
+/// The datum that is found from a measurement, to a few units of doubles.
+#[cfg(feature = "program")]
+pub fn datum_found(scene: &Scene, data: &[f64]) -> Option<f64> {
+    let found = scene.formulas.found.as_ref()?;
+    found::search(found, data, &|data, asked| measured(scene, found, data, asked), false)
+}
+
 /// What was measured, with all data given: of an expression that is everything.
 fn measured<T: Real>(scene: &Scene, found: &Found, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
     if found.label.quantity == Quantity::Value {
