@@ -282,7 +282,7 @@ fn problem(
     let scene_node = fields.get("scene");
     let regimes = fields.read("regimes", |n, f| Some(regimes(n, f))).unwrap_or_default();
     let read = ProblemRead::new(node, data, scene_node, regimes, faults);
-    let margins_node = fields.get("margins").filter(|_| WHOLE);
+    let margins = margins(fields.get("margins").filter(|_| WHOLE), faults);
     let mut common = common.with(&mut fields);
     let [bounds_node, cases_node] = fields.each(["bounds", "cases"]);
     let questions_node = fields.need("questions", "{v: {ask: the speed of the wheel, unit: m/s}}");
@@ -292,14 +292,12 @@ fn problem(
     drop(fields);
     let statement = statement_node.and_then(|n| text(n, "the text of the statement", faults));
     let mut cases = read.cases(cases_node);
-    // The numbers of a book cannot be drawn anew: what holds holds, and `lint` tells how well they determine an answer.
+    // The numbers of a book cannot be drawn anew: `lint` tells how well they determine an answer.
     let constant = |draw: &Draw| matches!(draw, Draw::Always { .. });
-    let constants = WHOLE && cases.iter().all(|case| case.draws.iter().flatten().all(constant));
-    if constants {
+    if WHOLE && cases.iter().all(|case| case.draws.iter().flatten().all(constant)) {
         common.usual_cond = COND_LIMITS.2;
     }
     let common = &common;
-    let margins = margins(margins_node, constants, faults);
     let data = read.with_gravity(&cases, common.gravity.1.clone());
     let measured = read.data.iter().enumerate().filter_map(|(i, d)| Some((i, d.measured?)));
     let measured = inverse::only(node, &measured.collect::<Vec<_>>(), &data, faults);
@@ -825,8 +823,8 @@ fn regimes(node: &Node, faults: &Faults) -> Vec<String> {
 }
 
 /// The margins of the checks: those that are usual, with the ones that are written over them.
-fn margins(node: Option<&Node>, constants: bool, faults: &Faults) -> Vec<(CheckKind, f64)> {
-    let mut list = if constants { Vec::new() } else { MARGINS.to_vec() };
+fn margins(node: Option<&Node>, faults: &Faults) -> Vec<(CheckKind, f64)> {
+    let mut list = MARGINS.to_vec();
     for (name, key, value) in node.map_or_else(Vec::new, |n| named(n, "margins by check", faults)) {
         let Some(kind) = CheckKind::ALL.iter().copied().find(|k| k.name() == name) else {
             let hint = spell::hint(name, "checks", CheckKind::ALL.iter().map(|k| k.name()));

@@ -136,7 +136,7 @@ fn words(node: &Node) -> String {
 
 /// Says from where an angle counts, and in which sense: a body with a pin of its own counts from upright or from hanging.
 fn angle(body: &mut Node) {
-    let pinned = body.field("pinned").is_some();
+    let pinned = body.field("pinned").is_some() || body.field("moves").is_none();
     let Some(angle) = body.field_mut("angle") else { return };
     let (mut ray, mut sense) = (None, None);
     for word in words(angle).split(' ') {

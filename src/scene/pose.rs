@@ -677,15 +677,10 @@ impl<'a, T: Real> Layout<'a, T> {
             }
         })
     }
-    /// How far a motion is followed, radians of the leading angle: two turns, or as far as its end; up to a time or a speed twenty, where
-    /// no spring is to be looked for so far.
+    /// How far a motion is followed, radians of the leading angle: two turns, or as far as its end.
     pub fn horizon(&self) -> T {
         let turns = T::constant(Dd::PI.scale2(2));
-        let End::Angle(_, angle) = self.scene.end else {
-            let long = matches!(self.scene.end, End::Time(..) | End::Speed(..));
-            let far = long && self.scene.struts.is_empty() && self.scene.pinned().is_none();
-            return if far { turns * T::of(10.0) } else { turns };
-        };
+        let End::Angle(_, angle) = self.scene.end else { return turns };
         let start = self.scene.planar(self.lead).and_then(|planar| planar.start_deg);
         let apart = self.n.get(angle) - start.map_or_else(T::zero, |start| self.n.get(start));
         (apart * T::constant(Dd::PI / Dd::new(180.0))).abs().larger(turns)
