@@ -99,7 +99,7 @@
 //! - The roads share the scene and the arithmetic of [`num`], no mechanics; only [`solve::agree`] and [`solve::ladder`] see both.
 //! - Nothing is published that they do not agree on within `16 u max(1, cond)`, u = 2^-53; NaN agrees with nothing.
 //! - No variant has an answer that its printed data do not determine: the condition number is below the limit of its question,
-//!   and a tolerance that widens with it is printed.
+//!   and a tolerance that widens with it is printed. Of constants alone, which cannot be drawn anew, the instructor is told instead.
 //! - The printed datum is the datum used; a variant depends on seed, set name, problem and student id alone.
 //! - The same seed gives the same bytes on every machine: own words from ChaCha20, functions from libm, no fused operations.
 //! - Every answer cell comes out exactly once; a student's odd cell is a verdict, never an error.
@@ -116,6 +116,7 @@
 //! `solve/eom/planar.rs` and its virtual motion in `solve/energy/joined.rs`, its words in `bank/scene/planar.rs`.
 //! A new law of a spring in the plane: [`scene::planar::Acts`] or [`scene::planar::StrutEnd`], its force in `solve/eom/planar.rs` and its
 //! work in `solve/energy/joined.rs`, its words in `bank/scene/planar.rs`.
+//! Another word for what can be said already: a rule in `bank/synonyms.rs`, which pages need not know.
 //! A new number of a scene: its unit and its rules in [`scene::given`]. A new tie: a variant in [`scene::link`], its rows in `solve/eom/equations.rs`, its mode and its work in `solve/energy`, its
 //! words in `bank/scene/ties.rs`, its quantities in `bank/labels.rs`. A new end of a motion: a row in `bank/scene/end.rs`. A new language: its folder in `templates/`, a line in [`words`], its texts in [`template`] and `bank/built_in.rs`.
 //! A new format: a walk over the events of a [`sheet::document`], as in [`sheet::tex`]. A new family: no Rust, a file in `banks/`.

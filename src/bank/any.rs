@@ -109,6 +109,12 @@ fn depends(scene: &Scene, label: Label, cancels: Cancels) -> bool {
     }
     match cancels {
         Cancels::Mass(_) => ["N", "J", "W", "kg*m^2", "N*s", "kg*m^2/s"].contains(&label.quantity.unit()),
+        // Of bodies that are welded into one.
+        Cancels::Radius(_)
+            if label.of == Owner::Scene && matches!(label.quantity, Quantity::IO | Quantity::IG) =>
+        {
+            true
+        }
         Cancels::Radius(body) => {
             let turning = matches!(
                 label.quantity,

@@ -99,7 +99,7 @@ const fn why(quantity: Quantity) -> &'static str {
         Q::KBound => "it needs one wheel with a radius of gyration that rolls and is pulled",
         Q::XEq => "it needs a spring",
         Q::VMax | Q::DAtVMax | Q::DTurn => "it needs an end of a body on a line, and a spring or a speed at the start",
-        Q::XG | Q::YG | Q::IG => "it needs a body of particles",
+        Q::XG | Q::YG | Q::IG => "it needs a body of particles, or a pin that holds bodies in the plane welded into one",
         Q::IO | Q::PinRadial | Q::PinTangential | Q::PinForce | Q::PinX | Q::PinY | Q::PinAngle => "it needs a pinned body, or one about a fixed axle whose mass and whose cords' directions are told",
         Q::SpringForce => "it needs a spring on a pinned body",
         Q::OmegaMax | Q::Period => "it needs a pinned body that swings under its weight alone",
@@ -290,6 +290,7 @@ fn joined(scene: &Scene, all: &mut Gathered) {
         }
     }
     all.add(moves, Owner::Scene, &[Q::T]);
+    all.add(forces && !still && scene.only_pin().is_some(), Owner::Scene, &[Q::IO, Q::IG, Q::XG, Q::YG]);
     if let Some(lead) = scene.lead() {
         all.add(moves, Owner::Body(lead), &[Q::Phi]);
     }

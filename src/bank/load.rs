@@ -1,8 +1,8 @@
 //! The text of a bank to a bank.
 use crate::bank::node::{Faults, Node, Value};
-#[cfg(feature = "program")]
-use crate::bank::yaml;
 use crate::bank::{Bank, Variables, schema};
+#[cfg(feature = "program")]
+use crate::bank::{synonyms, yaml};
 use crate::finding::Findings;
 use sha2::{Digest, Sha256};
 use std::{fmt, io};
@@ -17,7 +17,8 @@ pub fn bank(text: &str, file: &str, variables: Variables) -> Result<Bank, Findin
 
 #[cfg(feature = "program")]
 fn read(text: &str, file: &str, variables: Option<Variables>) -> Result<Bank, Findings> {
-    let tree = yaml::tree(text).map_err(|f| f.in_file(file))?;
+    let mut tree = yaml::tree(text).map_err(|f| f.in_file(file))?;
+    synonyms::put(&mut tree);
     let mut bank = checked(&tree, file, variables)?;
     bank.hash = hash(text);
     bank.places =

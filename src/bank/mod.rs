@@ -330,6 +330,8 @@ pub(crate) mod scene;
 pub(crate) mod schema;
 pub(crate) mod soundness;
 #[cfg(feature = "program")]
+pub(crate) mod synonyms;
+#[cfg(feature = "program")]
 pub mod yaml;
 
 #[cfg(test)]

@@ -412,6 +412,13 @@ impl SceneReader<'_> {
             body.particles = self.particles(particles);
             return body;
         }
+        #[cfg(feature = "program")]
+        for (about, _) in crate::bank::synonyms::ABOUT_PIN {
+            if let Some(n) = node.field(about).and_then(|_| fields.get(about)) {
+                let hint = "make data of this, of the distance from the pin to the mass centre, and of the mass, or give all as constants";
+                f.hint(n, told!("`{about}` cannot be put about the mass centre"), hint);
+            }
+        }
         let [mass, weight] = fields.each(["mass", "weight"]);
         let inertia = fields.each(INERTIA);
         let moves = node.field("moves").and_then(Node::text).map_or("", str::trim);
@@ -546,12 +553,7 @@ impl SceneReader<'_> {
     /// The pin of a body; the start gives the angle, forces the spring.
     fn pin(&self, pinned: Option<&Node>, node: &Node, angle: Option<&Node>, body: &Body) -> Planar {
         let f = self.faults;
-        let zeros = [
-            ("from upright", Ray::Up),
-            ("upright", Ray::Up),
-            ("from hanging", Ray::Down),
-            ("hanging", Ray::Down),
-        ];
+        let zeros = [("from upright", Ray::Up), ("from hanging", Ray::Down)];
         let from = match angle {
             Some(n) => self.word(n, "from where the angle counts", &zeros),
             None => f.refuse_with(
@@ -854,12 +856,12 @@ const SHAPES: &[&str] = &[
 ];
 
 fn shape_of(word: &str) -> Option<Shape> {
-    match word.trim().to_lowercase().as_str() {
-        "disc" | "disk" | "cylinder" | "solid cylinder" | "solid disc" | "solid disk" => Some(Shape::Disc),
-        "hoop" | "ring" | "hollow cylinder" | "thin hoop" | "thin ring" => Some(Shape::Hoop),
-        "sphere" | "ball" | "solid sphere" | "solid ball" => Some(Shape::Sphere),
-        "shell" | "hollow sphere" | "spherical shell" | "hollow ball" => Some(Shape::Shell),
-        "rod" | "slender rod" | "uniform rod" | "bar" => Some(Shape::Rod),
+    match word {
+        "disc" => Some(Shape::Disc),
+        "hoop" => Some(Shape::Hoop),
+        "sphere" => Some(Shape::Sphere),
+        "shell" => Some(Shape::Shell),
+        "rod" => Some(Shape::Rod),
         _ => None,
     }
 }

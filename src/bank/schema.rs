@@ -61,6 +61,8 @@ struct BankWide {
     unit_required: bool,
     /// Only where the bank or the problem says it.
     cond_limit: Option<f64>,
+    /// The limit where nothing says it.
+    usual_cond: f64,
     energy_limit: f64,
     figure: FigureLabels,
 }
@@ -113,6 +115,7 @@ pub fn bank(node: &Node, variables: Option<Variables>, faults: &Faults) -> Optio
         relative: relative.unwrap_or(Relative::Fixed(RELATIVE)),
         unit_required,
         cond_limit: None,
+        usual_cond: COND_LIMIT,
         energy_limit: ENERGY_LIMIT,
         figure: FigureLabels::Values,
     };
@@ -280,7 +283,7 @@ fn problem(
     let regimes = fields.read("regimes", |n, f| Some(regimes(n, f))).unwrap_or_default();
     let read = ProblemRead::new(node, data, scene_node, regimes, faults);
     let margins = margins(fields.get("margins").filter(|_| WHOLE), faults);
-    let common = &common.with(&mut fields);
+    let mut common = common.with(&mut fields);
     let [bounds_node, cases_node] = fields.each(["bounds", "cases"]);
     let questions_node = fields.need("questions", "{v: {ask: the speed of the wheel, unit: m/s}}");
     let [asks_node, mistakes_node, follows_node] = fields.each(["asks", "mistakes", "follows"]);
@@ -289,6 +292,12 @@ fn problem(
     drop(fields);
     let statement = statement_node.and_then(|n| text(n, "the text of the statement", faults));
     let mut cases = read.cases(cases_node);
+    // The numbers of a book cannot be drawn anew: `lint` tells how well they determine an answer.
+    let constant = |draw: &Draw| matches!(draw, Draw::Always { .. });
+    if WHOLE && cases.iter().all(|case| case.draws.iter().flatten().all(constant)) {
+        common.usual_cond = COND_LIMITS.2;
+    }
+    let common = &common;
     let data = read.with_gravity(&cases, common.gravity.1.clone());
     let measured = read.data.iter().enumerate().filter_map(|(i, d)| Some((i, d.measured?)));
     let measured = inverse::only(node, &measured.collect::<Vec<_>>(), &data, faults);
@@ -903,7 +912,7 @@ fn question(
     let relative = relative.unwrap_or(common.relative);
     let cond_limit = cond_node.and_then(|n| measure::limit(n, COND_LIMITS, faults)).or(common.cond_limit);
     // A tolerance that widens serves as far as it does.
-    let cond_limit = cond_limit.or(relative.reach()).unwrap_or(COND_LIMIT);
+    let cond_limit = cond_limit.or(relative.reach()).unwrap_or(common.usual_cond);
     Some(Question {
         id: id.to_owned(),
         label,

@@ -93,6 +93,9 @@ pub struct Checked {
 /// Errors: it carries no scene, the scene cannot be read, or its data are no motion.
 pub fn solve(problem: &SheetProblem, file: &str) -> Result<CheckedProblem, Unsolved> {
     let Some(tree) = problem.bank_tree().map_err(Unsolved::Faults)? else { return Err(Unsolved::NoScene) };
+    // A sheet of an earlier version may hold its scene as the bank says it.
+    #[cfg(feature = "program")]
+    let tree = crate::bank::synonyms::put_in(tree);
     let no_problem = || Unsolved::Faults(Finding::new("scene", "holds no problem").into());
     let mut bank = load::checked(&tree, file, None).map_err(Unsolved::Faults)?;
     // A tolerance that widens with the condition number stands on the sheet.

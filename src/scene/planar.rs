@@ -396,6 +396,19 @@ impl Scene {
         let planar = body.planar.as_ref().filter(|p| p.pinned && p.driven.is_none());
         planar.filter(|_| swings).map(|planar| (0, planar))
     }
+    /// The point at the only pin of bodies that are welded into one.
+    pub fn only_pin(&self) -> Option<Spot> {
+        let particle = |spot: &Spot| self.bodies[spot.body].inertia.is_none();
+        let mut pin = None;
+        let rigid = self.joints.iter().all(|joint| match joint.kind {
+            JointKind::Pin { at, .. } => pin.replace(at).is_none(),
+            JointKind::Hinge { one, other, turned_deg } => {
+                turned_deg.is_some() || [one, other].iter().any(particle)
+            }
+            _ => false,
+        });
+        pin.filter(|_| rigid && self.joints.len() == self.bodies.len())
+    }
     /// Bodies in the plane that are held and pushed at their mass centres alone keep from turning: nothing has a moment about these.
     pub fn still_turns(&mut self) {
         // What acts at points, and the bodies that something turns, or that are said to.

@@ -8,7 +8,7 @@
 //! drawn data put in their place it is read by the ordinary reader of banks and solved anew. A case with a scene of its own
 //! gives that one, as its statement does. A bank with `self check: off` gives sheets without scenes.
 use crate::bank::node::Node;
-use crate::bank::{Bank, Case, Mistake, Problem, labels, node, yaml};
+use crate::bank::{Bank, Case, Mistake, Problem, labels, node, synonyms, yaml};
 use crate::finding::Finding;
 use crate::page::sheet_file::FORMAT;
 use crate::problem::make_key;
@@ -36,7 +36,8 @@ impl<'b> Writer<'b> {
         set: &'b str,
         language: &'b str,
     ) -> Result<Self, Finding> {
-        let tree = yaml::tree(text)?;
+        let mut tree = yaml::tree(text)?;
+        synonyms::put(&mut tree);
         let mut scenes = Vec::new();
         for problem in problems.iter().filter_map(|p| bank.problems.get(*p)) {
             let text = |case| match bank.self_check {

@@ -11,6 +11,7 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod as_books_say;
 mod at_once;
 mod axles;
 mod bare;

@@ -35,18 +35,15 @@ const LINES: [(&str, f64); 2] = [("horizontal", 0.0), ("vertical", -90.0)];
 const WHITHER: [(&str, f64); 4] = [("right", 0.0), ("up", 90.0), ("left", 180.0), ("down", -90.0)];
 
 /// From where angles count, and whether clockwise.
-#[rustfmt::skip] // a table
-const ANGLES: [(&str, (Ray, bool)); 20] = [
-    ("from horizontal", (Ray::Right, false)), ("from vertical", (Ray::Up, true)),
-    ("from upright", (Ray::Up, true)), ("from hanging", (Ray::Down, false)),
-    ("from right", (Ray::Right, false)), ("from right counter-clockwise", (Ray::Right, false)),
-    ("from right clockwise", (Ray::Right, true)), ("from up clockwise", (Ray::Up, true)),
-    ("from up counter-clockwise", (Ray::Up, false)), ("from left clockwise", (Ray::Left, true)),
-    ("from left counter-clockwise", (Ray::Left, false)), ("from down clockwise", (Ray::Down, true)),
-    ("from down counter-clockwise", (Ray::Down, false)), ("from horizontal clockwise", (Ray::Right, true)),
-    ("from vertical clockwise", (Ray::Up, true)), ("from vertical counter-clockwise", (Ray::Up, false)),
-    ("from hanging clockwise", (Ray::Down, true)), ("from hanging counter-clockwise", (Ray::Down, false)),
-    ("from upright clockwise", (Ray::Up, true)), ("from upright counter-clockwise", (Ray::Up, false)),
+pub const ANGLES: [(&str, (Ray, bool)); 8] = [
+    ("from right counter-clockwise", (Ray::Right, false)),
+    ("from right clockwise", (Ray::Right, true)),
+    ("from up counter-clockwise", (Ray::Up, false)),
+    ("from up clockwise", (Ray::Up, true)),
+    ("from left counter-clockwise", (Ray::Left, false)),
+    ("from left clockwise", (Ray::Left, true)),
+    ("from down counter-clockwise", (Ray::Down, false)),
+    ("from down clockwise", (Ray::Down, true)),
 ];
 
 impl SceneReader<'_> {

@@ -78,7 +78,8 @@ type Rates<T> = SmallVec<[[T; 3]; 3]>;
 /// Where all bodies are, and how fast they move for a unit rate of the leading angle.
 #[derive(Debug, Clone)]
 pub struct State<T> {
-    poses: Poses<T>,
+    /// How the bodies lie.
+    pub poses: Poses<T>,
     rates: Rates<T>,
     /// What the joints hold, and that nothing drifts where only that holds it.
     rows: Vec<Row<T>>,
@@ -239,10 +240,12 @@ impl<'a, T: Real> Mechanism<'a, T> {
     fn turns(&self, body: usize) -> bool {
         self.scene.bodies[body].turns
     }
-    fn place(&self, poses: &Poses<T>, spot: Spot) -> Vector<T> {
+    /// Where a point of a body is.
+    pub fn place(&self, poses: &Poses<T>, spot: Spot) -> Vector<T> {
         poses[spot.body].point(pose::of_spot(self.scene, self.n, spot))
     }
-    fn centre(&self, poses: &Poses<T>, body: usize) -> Vector<T> {
+    /// Where a mass centre is.
+    pub fn centre(&self, poses: &Poses<T>, body: usize) -> Vector<T> {
         poses[body].point([self.levers[body].0, T::zero()])
     }
     /// From the mass centre to a point.

@@ -212,6 +212,33 @@ impl<T: Real> Account<'_, T> {
         self.say(road, Quantity::KineticEnergy, Owner::Scene, energy.scale2(-1));
     }
 
+    /// Of bodies that a pin holds and that are welded into one: mass centre and moments of inertia, by two particles in the place of each
+    /// body, which have no inertia of their own.
+    fn tell_whole(&self, poses: &Poses<T>, road: &mut Road<T>) {
+        let (of, bodies) = (Owner::Scene, &self.n.bodies);
+        let Some(pin) = self.scene.only_pin() else { return };
+        let halves = || {
+            (0..bodies.len()).flat_map(|b| {
+                self.particles(poses, b).map(|at| (bodies[b].mass.scale2(-1), at.map(|x| x.value)))
+            })
+        };
+        let mass = halves().fold(T::zero(), |sum, (half, _)| sum + half);
+        let centre = [0, 1].map(|i| halves().fold(T::zero(), |sum, (half, at)| sum + half * at[i]) / mass);
+        let about = |[x, y]: Vector<T>| {
+            let arm = |at: Vector<T>| (at[0] - x).square() + (at[1] - y).square();
+            halves().fold(T::zero(), |sum, (half, at)| sum + half * arm(at))
+        };
+        self.say(road, Quantity::IO, of, about(self.point(poses, pin).map(|x| x.value)));
+        self.say(
+            road,
+            Quantity::IG,
+            of,
+            plant!("energy: inertia about the common mass centre", about(centre)),
+        );
+        self.say(road, Quantity::XG, of, centre[0]);
+        self.say(road, Quantity::YG, of, centre[1]);
+    }
+
     /// Everything of one place: the velocities, accelerations of points, angular accelerations counter-clockwise.
     pub fn all(
         &self,
@@ -222,6 +249,7 @@ impl<T: Real> Account<'_, T> {
         road: &mut Road<T>,
     ) -> Result<(), Refusal> {
         self.tell_motion(poses, motion, Some((moves, turning)), road);
+        self.tell_whole(poses, road);
         self.tell_forces(poses, moves, road);
         Ok(())
     }

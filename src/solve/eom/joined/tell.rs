@@ -295,8 +295,34 @@ impl<T: Real> Teller<'_, '_, T> {
         let terms = if self.pinned.is_some() { self.terms(state) } else { all };
         self.tell_motion(state, rate, Some((response, self.pulls(), terms)));
         self.tell_spin(state, rate);
+        self.tell_whole(state);
         self.tell_forces(state, response, square, sliding);
         Ok(())
+    }
+
+    /// Of bodies that a pin holds and that are welded into one: mass centre, and moments of inertia by the theorem of parallel axes.
+    fn tell_whole(&mut self, state: &State<T>) {
+        let (n, mechanism, of) = (self.n, self.mechanism, Owner::Scene);
+        let Some(pin) = self.scene.only_pin().filter(|_| self.pinned.is_none()) else { return };
+        let mean = |part: &dyn Fn(usize) -> T, weigh: bool| {
+            n.bodies.iter().enumerate().fold(T::zero(), |sum, (b, own)| {
+                sum + own.mass * part(b) + if weigh { T::zero() } else { own.inertia }
+            })
+        };
+        let mass = mean(&|_| T::of(1.0), true);
+        let [x, y] = [0, 1].map(|i| mean(&|b| mechanism.centre(&state.poses, b)[i], true) / mass);
+        let about = |at: [T; 2]| {
+            let arm = |b, i: usize| mechanism.centre(&state.poses, b)[i] - at[i];
+            mean(&|b| arm(b, 0).square() + arm(b, 1).square(), false)
+        };
+        let (inertia, size) = (
+            plant!("eom: inertia about the only pin", about(mechanism.place(&state.poses, pin))),
+            mechanism.size(),
+        );
+        self.say(Quantity::IO, of, inertia);
+        self.say(Quantity::IG, of, about([x, y]));
+        self.say_scaled(Quantity::XG, of, x, size);
+        self.say_scaled(Quantity::YG, of, y, size);
     }
 
     /// Forces that may cancel wherever a force or an acceleration vanishes.
