@@ -1,8 +1,10 @@
 //! The inverse question: of a datum that was measured, the solution with the value of another datum that gives just this
 //! measurement. Each road finds it for itself, on its own equations, from the stated range alone.
+//!
+//! Beside it stands what both roads do alike with what they find of one scene: what is asked by formulas is worked out from it.
 use crate::num::dd::pow2;
 use crate::num::{Fast, Real, ball, root};
-use crate::scene::Found;
+use crate::scene::{Found, Numbers, Quantity, Scene};
 use crate::solve::outcome::{Refusal, Road, Said, Scope};
 
 /// Places of the stated range at which a change of sign is looked for.
@@ -18,17 +20,76 @@ const WIDTHS: [i32; 4] = [-44, -40, -34, -28];
 /// Enclosures of parts of the range that are spent on showing that there is no other root.
 const MOST: u32 = 20_000;
 
-/// What a road says of what is asked, with these data.
-type Says<'f, T> = &'f dyn Fn(&[f64], Scope) -> Result<Road<T>, Refusal>;
+/// What a road finds of one scene with its numbers, as far as it is asked.
+pub type Finds<T> = fn(&Scene, Numbers<T>, Scope) -> Result<Road<T>, Refusal>;
 
-/// How a road answers, as far as is asked.
-pub struct Forward<'f, T: Real> {
-    /// In doubles.
-    pub rough: Says<'f, Fast>,
-    /// As it stands.
-    pub measured: Says<'f, T>,
-    /// With what is asked by formulas.
-    pub exact: Says<'f, T>,
+/// A road that solves a scene again and again with other values of the unknown.
+struct Forward<'s, T: Real> {
+    scene: &'s Scene,
+    finds: Finds<T>,
+    /// The same in doubles.
+    rough: Finds<Fast>,
+}
+
+impl<T: Real> Forward<'_, T> {
+    /// What was measured, with all data given: of an expression that is everything.
+    fn measured<X: Real>(
+        &self,
+        found: &Found,
+        data: &[f64],
+        finds: Finds<X>,
+    ) -> Result<Road<X>, Refusal> {
+        match found.label.quantity {
+            Quantity::Value => answered(self.scene, data, Scope::ALL, finds),
+            quantity => alone(self.scene, data, Scope::only([quantity]), finds),
+        }
+    }
+    /// All that is asked.
+    fn exact(&self, data: &[f64]) -> Result<Road<T>, Refusal> {
+        answered(self.scene, data, Scope::ALL, self.finds)
+    }
+}
+
+/// What a road says of what is asked, in its own numbers and, where it searches, in doubles; where a formula asks, that is everything.
+///
+/// # Errors
+/// Those of the road; no value of the stated range gives the measurement, or it cannot be shown to be the only one.
+pub fn road_of<T: Real>(
+    scene: &Scene,
+    data: &[f64],
+    asked: Scope,
+    (finds, rough): (Finds<T>, Finds<Fast>),
+) -> Result<Road<T>, Refusal> {
+    match &scene.formulas.found {
+        Some(found) => road(found, data, &Forward { scene, finds, rough }),
+        None => answered(scene, data, asked, finds),
+    }
+}
+
+/// The same without what is asked by formulas, with all data given.
+fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope, finds: Finds<T>) -> Result<Road<T>, Refusal> {
+    Ok(finds(scene, Numbers::new(scene, data), asked)?.telling(scene))
+}
+
+/// [`road_of`] with all data given.
+fn answered<T: Real>(scene: &Scene, data: &[f64], asked: Scope, finds: Finds<T>) -> Result<Road<T>, Refusal> {
+    let asked = if scene.formulas.asked.is_empty() { asked } else { Scope::ALL };
+    answering(alone(scene, data, asked, finds)?, scene, data, finds)
+}
+
+/// What was found of a scene, with what is asked by formulas.
+///
+/// # Errors
+/// Those of [`Road::answering`].
+pub fn answering<T: Real>(
+    road: Road<T>,
+    scene: &Scene,
+    data: &[f64],
+    finds: Finds<T>,
+) -> Result<Road<T>, Refusal> {
+    road.answering(scene, data, &|other, data, taken| {
+        Ok(finds(other, Numbers::after(other, data, taken), Scope::ALL)?.telling(other))
+    })
 }
 
 /// What is measured on a road, less its printed value.
@@ -37,10 +98,7 @@ fn miss<T: Real>(found: &Found, road: &Road<T>, data: &[f64]) -> Option<T> {
 }
 
 /// The road at the value of the unknown that gives the measurement.
-///
-/// # Errors
-/// Those of the road; no value of the stated range gives it, or it cannot be shown to be the only one.
-pub fn road<T: Real>(found: &Found, data: &[f64], forward: &Forward<T>) -> Result<Road<T>, Refusal> {
+fn road<T: Real>(found: &Found, data: &[f64], forward: &Forward<T>) -> Result<Road<T>, Refusal> {
     let root = search(found, data, forward).ok_or_else(|| nowhere(found, data, forward))?;
     let mut at = data.to_vec();
     let unknown = found.unknown.datum;
@@ -48,9 +106,9 @@ pub fn road<T: Real>(found: &Found, data: &[f64], forward: &Forward<T>) -> Resul
         return enclosed(found, &mut at, root, forward);
     }
     at[unknown] = root;
-    let mut near = (forward.exact)(&at, Scope::ALL)?;
+    let mut near = forward.exact(&at)?;
     at[unknown] = root * (1.0 + STEP);
-    let beside = (forward.exact)(&at, Scope::ALL)?;
+    let beside = forward.exact(&at)?;
     let (y0, y1) = (miss(found, &near, data), miss(found, &beside, data));
     let (Some(y0), Some(y1)) = (y0, y1) else { return Err(Refusal::NotFound) };
     // The share of the step at which nothing is missing.
@@ -77,7 +135,7 @@ fn nowhere<T: Real>(found: &Found, data: &[f64], forward: &Forward<T>) -> Refusa
     let [one, middle, other] = [low, f64::midpoint(low, high), high].map(|x| {
         let mut at = data.to_vec();
         at[found.unknown.datum] = x;
-        (forward.rough)(&at, Scope::only([found.label.quantity])).err()
+        forward.measured(found, &at, forward.rough).err()
     });
     let alike = |why: &Option<Refusal>| why.as_ref().map(std::mem::discriminant);
     one.filter(|why| [&middle, &other].into_iter().all(|w| alike(w) == Some(std::mem::discriminant(why))))
@@ -90,7 +148,7 @@ fn search<T: Real>(found: &Found, data: &[f64], forward: &Forward<T>) -> Option<
     let miss = |x: f64| {
         let mut at = data.to_vec();
         at[found.unknown.datum] = x;
-        let road = (forward.rough)(&at, Scope::only([found.label.quantity])).ok();
+        let road = forward.measured(found, &at, forward.rough).ok();
         road.and_then(|road| Some(road.get(found.label)?.value)).unwrap_or(f64::NAN) - printed
     };
     let between = |low: (f64, f64), high: (f64, f64)| {
@@ -156,8 +214,8 @@ fn enclosed<T: Real>(
         let middle = f64::midpoint(low, high);
         at[unknown] = middle;
         let radius = (high - middle).max(middle - low);
-        let asked = Scope::only([found.label.quantity]);
-        let (road, doubt) = ball::watch(|| ball::spread(unknown, radius, || (forward.measured)(at, asked)));
+        let measured = || forward.measured(found, at, forward.finds);
+        let (road, doubt) = ball::watch(|| ball::spread(unknown, radius, measured));
         let Some(missed) = miss(found, &road.ok()?, at) else {
             // All over it there is nothing to measure.
             return (!doubt).then_some(f64::NAN);
@@ -189,5 +247,5 @@ fn enclosed<T: Real>(
         }
     }
     at[unknown] = root;
-    ball::spread(unknown, width, || (forward.exact)(at, Scope::ALL))
+    ball::spread(unknown, width, || forward.exact(at))
 }

@@ -384,6 +384,28 @@ pub enum Refusal {
         /// Is that so at the start?
         at_start: bool,
     },
+    /// The motion would have to pass what it does not pass.
+    Beyond(crate::scene::pose::Obstacle),
+    /// Just before an impact the bodies move as this joint, which holds them, does not allow.
+    PartedBefore {
+        /// Which joint.
+        joint: usize,
+        /// How fast it would part, m/s or rad/s.
+        speed: f64,
+        /// Which of these.
+        degree: Degree,
+    },
+    /// The cord of this tie's spring is slack where a motion ends, and is drawn tight in the one that follows.
+    SlackBetween(usize),
+    /// The contact of this tie is said to slip, and other ties share the friction that it would need to roll.
+    SlipShared(usize),
+    /// With these data the ties leave another number of freedoms than they would if two data were not equal.
+    EqualByChance {
+        /// With other data.
+        usual: usize,
+        /// With these.
+        now: usize,
+    },
     /// A body is not where the motion before this one left it.
     Moved {
         /// Which body.
@@ -492,7 +514,7 @@ pub fn consistent<T: Real>(of: Coordinate, given: T, follows: T) -> Result<(), R
 /// Errors: other refusals, and those of what has nothing else to tell.
 pub fn or_motion<W>(scene: &Scene, forces: Result<Option<W>, Refusal>) -> Result<Option<W>, Refusal> {
     match forces {
-        Err(Refusal::Unsupported(_)) if scene.goes_in_phases() => Ok(None),
+        Err(Refusal::Unsupported(_) | Refusal::SlipShared(_)) if scene.goes_in_phases() => Ok(None),
         forces => forces,
     }
 }
@@ -578,24 +600,10 @@ pub enum Unsupported {
     /// what is not thrown with slip; more of a body of particles than an instant; joined bodies beside others, with ties, or with an end
     /// that belongs to a line.
     Unread,
-    /// A motion before an impact that the other joints do not allow.
-    HeldBefore,
-    /// A contact is said to slip, and the ties share the friction that it would need to roll.
-    SlipShared,
-    /// Ties that hold more or less than they would if two data were not equal.
-    EqualByChance,
     /// Bodies that slide and could stay, one on account of what another does.
     SlidesInTurn,
     /// Friction in a guide fits no side of it or both, or turns about on the way.
     FrictionTurns,
-    /// A torsion spring that is wound by half a turn or more, or a load that comes to its pulley.
-    Overrun,
-    /// Rods of a linkage come to lie in one line, from where they could go on in two ways.
-    InLine,
-    /// A point of a body would pass through the surface that pushes another one: an impact.
-    Pierces,
-    /// The cord of a spring that is slack where a motion ends and is drawn tight in the one that follows.
-    SlackBetween,
 }
 
 /// What one road says of one quantity.
@@ -905,7 +913,7 @@ impl<T: Real> Road<T> {
                 && !(road.course.as_ref().is_some_and(|c| c.reached)
                     && pulls.is_none_or(|said| said.value.is_zero()))
             {
-                return Err(Refusal::Unsupported(Unsupported::SlackBetween));
+                return Err(Refusal::SlackBetween(tie));
             }
         }
         Ok(Some(road))

@@ -3,7 +3,8 @@
 use crate::moving_lines::{G, near, read, told};
 use slipstick::scene::ask::{Label, Owner, Quantity};
 use slipstick::solve::agree;
-use slipstick::solve::outcome::{Refusal, Unsupported};
+use slipstick::scene::pose::Obstacle;
+use slipstick::solve::outcome::Refusal;
 
 const DOOR: f64 = 12.0;
 const LOAD: f64 = 2.0;
@@ -116,7 +117,7 @@ fn a_load_that_comes_to_its_pulley_beyond_the_end() {
     let (near, far) = (omega(", placed: [-0.5 m, 0.6 m]"), omega(", placed: [-0.5 m, -3 m]"));
     assert!((near / far - 1.0).abs() < 1e-14 && near > 0.0, "{near} {far}");
     let refused = told(", placed: [-0.5 m, 0.6 m]", "angle: {of: door, reaches: 10 deg}").unwrap_err();
-    assert!(matches!(refused, Refusal::Unsupported(Unsupported::Overrun)), "{refused:?}");
+    assert!(matches!(refused, Refusal::Beyond(Obstacle::Pulley(1))), "{refused:?}");
 }
 
 /// Where it hangs has to be said, and a cord is no tie within one body.

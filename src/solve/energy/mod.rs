@@ -19,7 +19,7 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Real, ball, trig};
 use crate::scene::{
-    Attach, Coordinate, Degree, End, Far, Found, GivenForce, Heading, Label, Law, Numbers, Owner, Quantity,
+    Attach, Coordinate, Degree, End, Far, GivenForce, Heading, Label, Law, Numbers, Owner, Quantity,
     RotaryInertia, Scene, Span, SpringTie, Tie, speed,
 };
 use crate::solve::energy::account::{Account, Store, Stores};
@@ -28,7 +28,7 @@ use crate::solve::energy::onset::Onset;
 use crate::solve::energy::phases::Phases;
 use crate::solve::energy::quadrature::{Sum, Summed};
 use crate::solve::energy::speeds::Mode;
-use crate::solve::found::{self, Forward};
+use crate::solve::found;
 use crate::solve::method::Method;
 use crate::solve::outcome;
 use crate::solve::outcome::{Course, Refusal, Road, Said, Scope};
@@ -44,41 +44,7 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
 
 /// The same without the time of joined bodies if that is not asked: it is a quadrature of its own. Errors: those of [`road`].
 pub fn road_of<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
-    match &scene.formulas.found {
-        Some(found) => {
-            let forward = Forward {
-                rough: &|data, asked| measured(scene, found, data, asked),
-                measured: &|data, asked| measured(scene, found, data, asked),
-                exact: &|data, asked| answered(scene, data, asked),
-            };
-            found::road(found, data, &forward)
-        }
-        None => answered(scene, data, asked),
-    }
-}
-
-/// What was measured, with all data given: of an expression that is everything.
-fn measured<T: Real>(scene: &Scene, found: &Found, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
-    if found.label.quantity == Quantity::Value {
-        answered(scene, data, Scope::ALL)
-    } else {
-        alone(scene, data, asked)
-    }
-}
-
-/// [`road_of`] with all data given.
-fn answered<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
-    alone(scene, data, asked)?.answering(scene, data, &another)
-}
-
-/// [`road`] without what is asked by formulas.
-fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
-    Ok(of_kind(scene, Numbers::new(scene, data), asked)?.telling(scene))
-}
-
-/// All of another scene, with what it takes over.
-fn another<T: Real>(scene: &Scene, data: &[f64], taken: &[T]) -> Result<Road<T>, Refusal> {
-    Ok(of_kind(scene, Numbers::after(scene, data, taken), Scope::ALL)?.telling(scene))
+    found::road_of(scene, data, asked, (of_kind, of_kind))
 }
 
 /// Everything that it finds, by the kind of the scene.
@@ -130,7 +96,7 @@ pub fn road_by<T: Real>(
         };
     }
     let (road, count) = alone_by(scene, data, points)?;
-    Ok((road.telling(scene).answering(scene, data, &another)?, count))
+    Ok((found::answering(road.telling(scene), scene, data, of_kind)?, count))
 }
 
 /// [`road_by`] without what is asked by formulas.

@@ -521,8 +521,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 width = width * T::of(fit.clamp(0.5, 2.0));
             } else {
                 if left.is_none() || width.size() <= least {
-                    if self.mechanism.in_line(self.angle(self.way(next).0)) {
-                        return Err(Refusal::Unsupported(Unsupported::InLine));
+                    if let Some(folds) = self.mechanism.in_line(self.angle(self.way(next).0)) {
+                        return Err(Refusal::Beyond(folds));
                     }
                     let value = panel.last.half_square.f64();
                     return Err(Unsettled { value, gap: f64::INFINITY }.into());
@@ -835,12 +835,11 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     /// the rate that ends the motion.
     fn wanted(&self) -> ((Option<T>, T), T, Option<T>) {
         let (scene, n) = (self.mechanism.scene, self.mechanism.n);
+        if let Some(apart) = self.mechanism.to_end_deg() {
+            let apart = apart.signed(self.sense);
+            return ((Some(apart), T::zero()), apart / degrees(), None);
+        }
         match scene.end {
-            End::Angle(_, angle) => {
-                let start = scene.lead().and_then(|l| scene.planar(l)?.start_deg);
-                let apart = (n.get(angle) - start.map_or_else(T::zero, |s| n.get(s))).signed(self.sense);
-                ((Some(apart), T::zero()), apart / degrees(), None)
-            }
             End::Speed(_, w) => {
                 let w = n.get(w) / self.mechanism.ratio();
                 let begins = self.from.half_square.scale2(1).root();
@@ -895,9 +894,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     fn to_its_end(&self, teller: &mut Teller<'_, '_, T>) -> Result<(), Refusal> {
         let (scene, n) = (self.mechanism.scene, self.mechanism.n);
         let ((asked, begins), mut far, level) = self.wanted();
-        let limit =
-            self.mechanism.overruns(self.sense, (far + look(), look())).filter(|limit| limit.at_most(far));
-        far = limit.map_or(far, |limit| limit * T::of(SHORT));
+        let limit = self.mechanism.overruns(self.sense, (far + look(), look()));
+        let limit = limit.filter(|(limit, _)| limit.at_most(far));
+        far = limit.map_or(far, |(limit, _)| limit * T::of(SHORT));
         let (first, begin) = self.at(T::zero())?;
         let course = |farthest: T, slowest: f64, reached: bool| {
             Some(Course { asked, begins, farthest, slowest, ..Course::moving(self.sense, reached) })
@@ -914,8 +913,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let by = teller.by.filter(|_| STEPS && !backward);
         let mut stop = self.followed(teller, (far, level), by, &mut least)?;
         let mut most = None;
-        let overrun =
-            || if limit.is_some() { Err(Refusal::Unsupported(Unsupported::Overrun)) } else { Ok(()) };
+        let overrun = || limit.map_or(Ok(()), |(_, obstacle)| Err(Refusal::Beyond(obstacle)));
         if stop.why == Why::Far && !matches!(scene.end, End::Time(..)) {
             overrun()?;
         }
@@ -1010,8 +1008,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         by: Option<Steps>,
     ) -> Result<(), Refusal> {
         let scene = self.mechanism.scene;
-        if LOOKED_THROUGH && self.mechanism.pierces(self.sense, (stop.way, look())) {
-            return Err(Refusal::Unsupported(Unsupported::Pierces));
+        if LOOKED_THROUGH && let Some(strikes) = self.mechanism.pierces(self.sense, (stop.way, look())) {
+            return Err(Refusal::Beyond(strikes));
         }
         teller.tell_met(&self.meets, stop.way)?;
         let rest = stop.why == Why::Rest || stop.half_square.is_zero();

@@ -19,7 +19,7 @@ use crate::num::{Lanes, lanes};
 use crate::num::{Real, trig};
 use crate::scene::pose;
 use crate::scene::{
-    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, Found, GivenForce, Grows, Heading, Label, Law, Made,
+    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Heading, Label, Law, Made,
     Numbers, Owner, Quantity, RotaryInertia, Scene, Side, Span, Start, Tie, speed,
 };
 use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, needs, normals, respond};
@@ -27,7 +27,7 @@ use crate::solve::eom::integrate::{Event, Path, Wanted, path};
 use crate::solve::eom::onset::Onset;
 use crate::solve::eom::phases::{Linear, Phases};
 use crate::solve::eom::travel::{Leg, State, Travel};
-use crate::solve::found::{self, Forward};
+use crate::solve::found;
 use crate::solve::method::{Method, Rung};
 use crate::solve::outcome;
 use crate::solve::outcome::{Course, Held, Refusal, Road, Said, Scope, Set, Throw, Told};
@@ -44,18 +44,7 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
 
 /// What they say of what is asked; where a formula asks, that is everything. Errors: those of [`road`].
 pub fn road_of<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
-    match &scene.formulas.found {
-        Some(found) => {
-            let forward = Forward {
-                rough: &|data, asked| measured(scene, found, data, asked),
-                measured: &|data, asked| measured(scene, found, data, asked),
-                exact: &|data, _| answered(scene, data),
-            };
-            found::road(found, data, &forward)
-        }
-        None if scene.formulas.asked.is_empty() => alone(scene, data, asked),
-        None => answered(scene, data),
-    }
+    found::road_of(scene, data, asked, (of_kind, of_kind))
 }
 
 /// What they say of what is asked with each of several sets of data, in doubles; `None` where they say nothing. Many scenes are walked
@@ -112,26 +101,6 @@ fn is_given(scene: &Scene) -> bool {
     scene.formulas.found.is_none() && scene.formulas.asked.is_empty()
 }
 
-/// What was measured, with all data given: of an expression that is everything.
-fn measured<T: Real>(scene: &Scene, found: &Found, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
-    if found.label.quantity == Quantity::Value { answered(scene, data) } else { alone(scene, data, asked) }
-}
-
-/// [`road`] with all data given.
-fn answered<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
-    alone(scene, data, Scope::ALL)?.answering(scene, data, &another)
-}
-
-/// [`road_of`] without what is asked by formulas.
-fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
-    Ok(of_kind(scene, Numbers::new(scene, data), asked)?.telling(scene))
-}
-
-/// All of another scene, with what it takes over.
-fn another<T: Real>(scene: &Scene, data: &[f64], taken: &[T]) -> Result<Road<T>, Refusal> {
-    Ok(of_kind(scene, Numbers::after(scene, data, taken), Scope::ALL)?.telling(scene))
-}
-
 /// Everything that it finds, by the kind of the scene.
 fn of_kind<T: Real>(scene: &Scene, n: Numbers<T>, asked: Scope) -> Result<Road<T>, Refusal> {
     if scene.lead().is_some() {
@@ -184,7 +153,7 @@ pub fn road_by<T: Real>(
         return Err(Refusal::NoMethod { method: rung.method() });
     }
     let (road, count) = alone_by(scene, data, rung, asked)?;
-    Ok((road.telling(scene).answering(scene, data, &another)?, count))
+    Ok((found::answering(road.telling(scene), scene, data, of_kind)?, count))
 }
 
 /// [`road_by`] without what is asked by formulas.
