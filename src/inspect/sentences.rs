@@ -9,8 +9,8 @@ use crate::problem::rule::inadmissible;
 use crate::scene::given;
 use crate::scene::pose::{Choice, Gap, Layout, Obstacle};
 use crate::scene::{
-    AsIf, Asked, Coordinate, Degree, End, Found, JointKind, Mass, Num, Numbers, Owner, Planar, Quantity, Scene,
-    Span, Spot, Straight, Tie,
+    AsIf, Asked, Coordinate, Degree, End, Found, JointKind, Mass, Num, Numbers, Owner, Planar, Quantity,
+    Scene, Span, Spot, Straight, Tie,
 };
 use crate::solve::ladder::{self, Force, Taken};
 use crate::solve::method::{Method, Rung};
@@ -458,6 +458,7 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
             )
         }
         Refusal::Apart => say("refused.apart", &[]),
+        Refusal::Barely => say("refused.barely", &[]),
         Refusal::NoMethod { method } => say("refused.no_method", &[("method", &method.name())]),
         Refusal::Unsettled(why) => unsettled(scene, why),
         Refusal::Disagree { label, eom, energy, allowed } => {

@@ -719,7 +719,8 @@ impl<'a, T: Real> Layout<'a, T> {
         let wound = twisted.filter_map(|(s, (strut, [x, y]))| {
             let axis = |way: T| Some(poses(way)?[strut.at.body].axis);
             let ways = changes(&|way| axis(way).map(|[c, s]| *x * s - *y * c));
-            let way = ways.into_iter().find(|way| axis(*way).is_some_and(|at| dot([*x, *y], at).sign() < 0.0));
+            let way =
+                ways.into_iter().find(|way| axis(*way).is_some_and(|at| dot([*x, *y], at).sign() < 0.0));
             Some((way?, Obstacle::Wound(s)))
         });
         let hung = self.steps.iter().flatten().filter_map(|(_, step)| {

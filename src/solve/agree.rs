@@ -332,6 +332,13 @@ fn compared(
     (solved, course, next): (&mut Solved, Kind, Kind),
 ) -> Result<(), Refusal> {
     let second: Road<Dd> = energy::road_of(scene, data, asked)?;
+    // Where one road gets to the end and the other does not, the one tells what the other does not.
+    if let (Some((senses, reached)), Some((other, there))) = (course, second.kind())
+        && senses == other
+        && reached != there
+    {
+        return Err(Refusal::Barely);
+    }
     for (i, entry) in solved.entries.iter_mut().enumerate() {
         let said = second.said_at(i, entry.label);
         let (mut eom, mut energy) = (entry.value(), said.map_or(f64::NAN, |s| s.value.f64() + 0.0));

@@ -33,12 +33,7 @@ struct Forward<'s, T: Real> {
 
 impl<T: Real> Forward<'_, T> {
     /// What was measured, with all data given: of an expression that is everything.
-    fn measured<X: Real>(
-        &self,
-        found: &Found,
-        data: &[f64],
-        finds: Finds<X>,
-    ) -> Result<Road<X>, Refusal> {
+    fn measured<X: Real>(&self, found: &Found, data: &[f64], finds: Finds<X>) -> Result<Road<X>, Refusal> {
         match found.label.quantity {
             Quantity::Value => answered(self.scene, data, Scope::ALL, finds),
             quantity => alone(self.scene, data, Scope::only([quantity]), finds),

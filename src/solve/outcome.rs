@@ -439,6 +439,8 @@ pub enum Refusal {
         /// The relative gap that would have been accepted.
         allowed: f64,
     },
+    /// The motion all but misses its end, or all but gets there: the last digits of the data decide it, and the roads differ.
+    Barely,
     /// A named method did not get to its event.
     Trouble {
         /// Which method.
@@ -519,23 +521,29 @@ pub fn or_motion<W>(scene: &Scene, forces: Result<Option<W>, Refusal>) -> Result
     }
 }
 
-/// The sides to which guides press that hold on both, 1 or -1 each: the one combination that `fits`. The friction of a point that
-/// rubs hangs on the size of the normal force, so its sense per normal force on the side.
+/// The senses of friction per normal force of each joint, which hang on the sides to which guides press that hold on both: those in
+/// which points slide, turned about where a guide presses to its right. The one combination with which all `normal` forces, which may
+/// be open, press to that side.
 ///
 /// Errors: no combination fits, or several.
-pub fn sides(
-    guides: usize,
-    mut fits: impl FnMut(&[f64]) -> Result<bool, Refusal>,
+pub fn sides<T: Real>(
+    scene: &Scene,
+    slides: &[f64],
+    mut normal: impl FnMut(&[f64], usize) -> Result<Option<T>, Refusal>,
 ) -> Result<SmallVec<[f64; 4]>, Refusal> {
+    let on_both = |j: &usize| slides[*j] != 0.0 && matches!(scene.joints[*j].kind.rubs(), Some((_, true)));
+    let guides: SmallVec<[usize; 4]> = (0..slides.len()).filter(on_both).collect();
     let mut found = None;
-    for combination in 0..1_usize << guides {
-        let sides: SmallVec<[f64; 4]> =
-            (0..guides).map(|i| if combination >> i & 1 == 0 { 1.0 } else { -1.0 }).collect();
-        if guides == 0 || fits(&sides)? {
-            if found.is_some() {
-                return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
-            }
-            found = Some(sides);
+    for combination in 0..1_usize << guides.len() {
+        let side = |i: usize| if combination >> i & 1 == 0 { 1.0 } else { -1.0 };
+        let mut senses: SmallVec<[f64; 4]> = slides.into();
+        guides.iter().enumerate().for_each(|(i, j)| senses[*j] *= side(i));
+        let mut fits = true;
+        for (i, j) in guides.iter().enumerate() {
+            fits = fits && normal(&senses, *j)?.is_none_or(|force| force.signed(side(i)).sign() >= 0.0);
+        }
+        if fits && found.replace(senses).is_some() {
+            return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
         }
     }
     found.ok_or(Refusal::Unsupported(Unsupported::FrictionTurns))

@@ -2,8 +2,8 @@
 //! rod, `(I + M s'^2) q'^2 / 2` is what the weight of the rod gives less what holds the load back. The formulas know no poses.
 use crate::moving_lines::{G, near, read, told};
 use slipstick::scene::ask::{Label, Owner, Quantity};
-use slipstick::solve::agree;
 use slipstick::scene::pose::Obstacle;
+use slipstick::solve::agree;
 use slipstick::solve::outcome::Refusal;
 
 const DOOR: f64 = 12.0;

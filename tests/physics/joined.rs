@@ -3,9 +3,9 @@ use crate::support;
 use slipstick::bank::{Bank, labels, load};
 use slipstick::finding::Findings;
 use slipstick::problem::maker::Maker;
+use slipstick::scene::pose::Obstacle;
 use slipstick::scene::{End, Scene};
 use slipstick::solve::agree;
-use slipstick::scene::pose::Obstacle;
 use slipstick::solve::outcome::{CheckKind, Refusal, Solved, Unsupported};
 use std::path::Path;
 

@@ -3,10 +3,10 @@ use crate::joined::{CRATE, STRUCK, all_near, constants, read, solved, told, valu
 use slipstick::bank::{labels, load};
 use slipstick::inspect::sentences;
 use slipstick::problem::maker::Maker;
+use slipstick::scene::pose::Obstacle;
 use slipstick::scene::pose::{self, Layout};
 use slipstick::scene::{JointKind, Numbers, Spot, Straight};
 use slipstick::solve::agree;
-use slipstick::scene::pose::Obstacle;
 use slipstick::solve::outcome::{CheckKind, Refusal};
 use std::path::Path;
 

@@ -7,9 +7,9 @@ use crate::joined_lot::{
 use crate::support;
 use rayon::prelude::*;
 use slipstick::bank::load;
+use slipstick::scene::pose::Obstacle;
 use slipstick::scene::{Owner, Quantity};
 use slipstick::solve::agree::{prove, solve};
-use slipstick::scene::pose::Obstacle;
 use slipstick::solve::outcome::{Check, CheckKind, Refusal, Solved};
 use std::collections::BTreeMap;
 

@@ -434,24 +434,10 @@ impl<'a, T: Real> Account<'a, T> {
 
     /// Notes to which side guides push that hold on both and rub, by the normal forces that result.
     fn press(&mut self, normal: &Presses<Self, T>) -> Result<(), Refusal> {
-        self.rubs = self.slides.clone();
-        let rubs_on_both = |j: &usize| {
-            self.slides[*j] != 0.0 && matches!(self.scene.joints[*j].kind.rubs(), Some((_, true)))
-        };
-        let both: SmallVec<[usize; 4]> = (0..self.slides.len()).filter(rubs_on_both).collect();
-        let turn = |account: &mut Self, sides: &[f64]| {
-            both.iter().zip(sides).for_each(|(j, side)| account.rubs[*j] = account.slides[*j] * side);
-        };
-        let sides = outcome::sides(both.len(), |sides| {
-            turn(self, sides);
-            for (joint, side) in both.iter().zip(sides) {
-                if normal(self, *joint)?.is_some_and(|force| force.signed(*side).sign() < 0.0) {
-                    return Ok(false);
-                }
-            }
-            Ok(true)
+        self.rubs = outcome::sides(self.scene, &self.slides.clone(), |rubs, joint| {
+            self.rubs = rubs.into();
+            normal(self, joint)
         })?;
-        turn(self, &sides);
         Ok(())
     }
 

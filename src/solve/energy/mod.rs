@@ -19,8 +19,8 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Real, ball, trig};
 use crate::scene::{
-    Attach, Coordinate, Degree, End, Far, GivenForce, Heading, Label, Law, Numbers, Owner, Quantity,
-    RotaryInertia, Scene, Span, SpringTie, Tie, speed,
+    Attach, Coordinate, Degree, End, Far, GivenForce, Label, Law, Numbers, Owner, Quantity, RotaryInertia,
+    Scene, Span, SpringTie, Tie, speed,
 };
 use crate::solve::energy::account::{Account, Store, Stores};
 use crate::solve::energy::balance::{PerTie, Power, Reactions};
@@ -466,7 +466,7 @@ impl<'a, T: Real> Ledger<'a, T> {
 
         let turning = account.turning();
         let limit = turning.unwrap_or_else(|| T::of(f64::INFINITY));
-        let wrong_way = self.goes_wrong(sense);
+        let wrong_way = self.scene.goes_wrong(sense);
         let s = self.asked(&account, turning, sense);
         let arrives = |s: T| s.not_negative() && s.at_most(limit);
         // The turning point is where it is: no comparison with itself.
@@ -500,15 +500,6 @@ impl<'a, T: Real> Ledger<'a, T> {
     /// Sense in which the centre of the ending body goes in this mode, taken in this sense.
     fn way(&self, mode: &Mode<T>, sense: f64) -> f64 {
         if self.counts_turn() { sense * mode.v[self.end.body].sign() } else { sense }
-    }
-
-    /// Is it declared to go the other way?
-    fn goes_wrong(&self, sense: f64) -> bool {
-        match self.scene.heading {
-            Some(Heading::Forward) => sense < 0.0,
-            Some(Heading::Back) => sense > 0.0,
-            None => false,
-        }
     }
 
     /// Nothing sets off.
@@ -549,7 +540,7 @@ impl<'a, T: Real> Ledger<'a, T> {
     /// A motion in phases.
     fn through_phases(mut self) -> Road<T> {
         let Some(phases) = &self.phases else { return self.road };
-        let reached = phases.ended && !self.goes_wrong(phases.sense);
+        let reached = phases.ended && !self.scene.goes_wrong(phases.sense);
         let [first, last] = phases.ends();
         let at = if reached { last } else { first };
         let own = at.of(self.end).sign();
@@ -651,7 +642,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         };
         let held = if along { energy0 } else { doubled * u0 };
         let least = held + gained(share, grown);
-        let declared = !self.goes_wrong(sense);
+        let declared = !self.scene.goes_wrong(sense);
         let sets_off = u0.sign() > 0.0 || first.not_negative();
         let onward = least.sign() > 0.0 && sets_off;
         let momentum = held + gained(whole, whole);

@@ -316,27 +316,14 @@ fn sliding<T: Real>(
 /// right, at this square of the rate. Errors: which side it presses to is open.
 fn rubbing<T: Real>(
     mechanism: &Mechanism<T>,
-    slides: &SmallVec<[f64; 4]>,
+    slides: &[f64],
     square: T,
     respond: &Responds<T>,
 ) -> Result<SmallVec<[f64; 4]>, Refusal> {
-    let rubs_on_both =
-        |j: &usize| slides[*j] != 0.0 && matches!(mechanism.scene.joints[*j].kind.rubs(), Some((_, true)));
-    let both: SmallVec<[usize; 4]> = (0..slides.len()).filter(rubs_on_both).collect();
-    let turned = |sides: &[f64]| {
-        let mut all = slides.clone();
-        both.iter().zip(sides).for_each(|(j, side)| all[*j] *= side);
-        all
-    };
-    let sides = outcome::sides(both.len(), |sides| {
-        let response = respond(&turned(sides))?;
-        let fits = |(j, side): (&usize, &f64)| {
-            let force = mechanism.reaction(&response, *j, square);
-            force.is_none_or(|force| force[0].signed(*side).sign() >= 0.0)
-        };
-        Ok(both.iter().zip(sides).all(fits))
-    })?;
-    Ok(turned(&sides))
+    outcome::sides(mechanism.scene, slides, |rubs, joint| {
+        let force = mechanism.reaction(&respond(rubs)?, joint, square);
+        Ok(force.map(|force| force[0]))
+    })
 }
 
 impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
@@ -551,6 +538,13 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             return pin::pendulum_stop(pendulum, far, level);
         }
         let mut found: Option<Stop<T>> = None;
+        // Of a body on a pin it is told how far it would get.
+        let until = match self.mechanism.scene.end {
+            End::Time(_, t) if timely && self.mechanism.scene.pinned().is_none() => {
+                Some(self.mechanism.n.get(t))
+            }
+            _ => None,
+        };
         let (mut time, mut passes) = (Some(T::zero()), Passes::NONE);
         let start = if self.is_rubbed() { T::of(1.0) } else { self.from.factor };
         passes.see(T::leading(|| (self.from.half_square * start).f64()));
@@ -581,6 +575,13 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 None => (panel.uneven <= 1.0).then(|| self.fine.rule.mean(&panel.times)),
             };
             time = time.zip(part).map(|(sum, part)| sum + plant!("eom: time of joined bodies", part));
+            // What lies beyond the time that is asked may be rough.
+            if let (None, Some(now), Some(until)) = (&found, time, until)
+                && until.below(now)
+            {
+                let (way, half_square) = (self.way(panel.ends.1).0, panel.last.half_square);
+                found = Some(Stop { way, half_square, why: Why::Far, time, slowest: 1.0 });
+            }
             Ok(found.is_some())
         };
         let end = self.over((T::zero(), self.variable(far)), self.from, timely, &mut visit)?;

@@ -19,8 +19,8 @@ use crate::num::{Lanes, lanes};
 use crate::num::{Real, trig};
 use crate::scene::pose;
 use crate::scene::{
-    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Heading, Label, Law, Made,
-    Numbers, Owner, Quantity, RotaryInertia, Scene, Side, Span, Start, Tie, speed,
+    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Label, Law, Made, Numbers, Owner,
+    Quantity, RotaryInertia, Scene, Side, Span, Start, Tie, speed,
 };
 use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, needs, normals, respond};
 use crate::solve::eom::integrate::{Event, Path, Wanted, path};
@@ -635,7 +635,7 @@ impl<'a, T: Real> Walk<'a, T> {
         } else {
             a0.sign()
         };
-        let wrong_way = self.goes_wrong(sense);
+        let wrong_way = self.scene.goes_wrong(sense);
         if self.rests(0.0) {
             for i in 0..self.springs.len() {
                 if let Spring { tie, rest: Some(rest), .. } = self.springs[i] {
@@ -700,15 +700,6 @@ impl<'a, T: Real> Walk<'a, T> {
         self.centre().map_or(sense, |line| sense * self.ratio(line).sign())
     }
 
-    /// Is it declared to go the other way?
-    fn goes_wrong(&self, sense: f64) -> bool {
-        match self.scene.heading {
-            Some(Heading::Forward) => sense < 0.0,
-            Some(Heading::Back) => sense > 0.0,
-            None => false,
-        }
-    }
-
     /// Nothing sets off.
     fn rest(&mut self, pulls: Pulls<T>) {
         self.road.course = Some(Course::at_rest());
@@ -762,7 +753,7 @@ impl<'a, T: Real> Walk<'a, T> {
     fn through_phases(mut self) -> Result<(Road<T>, Count), Refusal> {
         let mut count = Count::default();
         let Some(mut phases) = self.phases.take() else { return Ok((self.road, count)) };
-        let wrong_way = self.goes_wrong(phases.sense);
+        let wrong_way = self.scene.goes_wrong(phases.sense);
         let asked = measure(self.scene, &self.n, phases.sense);
         let begins = if matches!(self.scene.end, End::Speed(..)) { self.v0.abs() } else { T::zero() };
         let farthest = phases.farthest();
@@ -1461,7 +1452,9 @@ impl<'a, T: Real> Walk<'a, T> {
         self.say_scaled(Quantity::Displacement, of, moved, sizes[1]);
         self.say(Quantity::Distance, of, gone.path);
         let momentum = plant!("eom: impulse of all forces", n.mass) * gone.change;
-        self.say(Quantity::Impulse, of, momentum);
+        // What keeps its speed has the difference of two momenta.
+        let before = (gone.speed - gone.change).size();
+        self.say_scaled(Quantity::Impulse, of, momentum, n.mass.size() * (before + gone.speed.size()));
         sums.energy = sums.energy + (n.mass * v * v).scale2(-1);
         // Shares at unit rate: the speed would bring in its own rounding and leave by cancelling.
         sums.moving = sums.moving + n.mass * gone.unit * gone.unit;

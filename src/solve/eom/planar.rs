@@ -920,6 +920,11 @@ impl<'a, T: Real> Mechanism<'a, T> {
     pub fn spin(&self, state: &State<T>, body: usize) -> T {
         state.rates[body][2].signed(self.sense(body))
     }
+    /// Sum of the magnitudes of the momenta that bodies gain by these jumps of their velocities.
+    pub fn gained(&self, jumps: &Response<T>) -> f64 {
+        let gains = self.n.bodies.iter().zip(&jumps.moves[0]);
+        gains.map(|(numbers, [x, y, _])| numbers.mass.size() * (x.size() + y.size())).sum()
+    }
     /// Velocity of a mass centre for a unit rate.
     pub fn velocity(&self, state: &State<T>, body: usize) -> Vector<T> {
         let [x, y, _] = state.rates[body];

@@ -213,7 +213,7 @@ impl<T: Real> Teller<'_, '_, T> {
 
     /// The impulses of the joints at a blow. One that can only push and would have to pull lets go, and the other way round.
     pub fn tell_blow(&mut self, jumps: &Response<T>) {
-        let all = self.blows();
+        let all = self.blows() + self.mechanism.gained(jumps);
         for (j, joint) in self.scene.joints.iter().enumerate() {
             let (of, quantities) = (Owner::Joint(j), joint.kind.impulses());
             let Some(impulses) = self.mechanism.reaction(jumps, j, T::zero()) else {
