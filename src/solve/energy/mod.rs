@@ -19,8 +19,8 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Real, ball, trig};
 use crate::scene::{
-    Attach, Coordinate, Degree, End, Far, GivenForce, Label, Law, Numbers, Owner, Quantity, RotaryInertia,
-    Scene, Span, SpringTie, Tie, speed,
+    Coordinate, Degree, End, Far, GivenForce, Label, Law, Numbers, Owner, Quantity, Scene, Span, SpringTie,
+    Tie, speed,
 };
 use crate::solve::energy::account::{Account, Store, Stores};
 use crate::solve::energy::balance::{PerTie, Power, Reactions};
@@ -832,7 +832,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         let rate = self.rate(pulls);
         self.say_rates(&rate);
         self.say_forces(pulls);
-        self.bound_of_gyration();
+        self.bound_of_gyration(pulls);
     }
 
     /// No power at the start, no speed, no energy, ever.
@@ -960,7 +960,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         }
         self.say_rates(&rate);
         self.say_forces(pulls);
-        self.bound_of_gyration();
+        self.bound_of_gyration(pulls);
         let gone = |b: usize| self.gone(&end, |mode| mode.v[b]);
         let centres: SmallVec<[Gone<T>; 2]> = (0..self.scene.bodies.len()).map(gone).collect();
         let seen = energy.balance(self.shared(centres.iter().map(|gone| gone.speed), time));
@@ -1087,49 +1087,23 @@ impl<'a, T: Real> Ledger<'a, T> {
         sum
     }
 
-    /// Without friction the mass centre takes the power `X v`, the rotation what is left of the whole:
+    /// Without friction the mass centre takes the power `X v`, the rotation what is left of the whole, `W' v`:
     /// `k^2 = c^2 (W' - X)/X` with `v = c omega`. Infinite where friction points up at any k.
-    fn bound_of_gyration(&mut self) {
-        let [body] = self.scene.bodies.as_slice() else { return };
-        let given = !self.scene.couples.is_empty()
-            || !self.scene.growths.is_empty()
-            || self.scene.ties.iter().any(|t| t.tilted().is_some());
-        if !matches!(body.inertia, Some(RotaryInertia::Gyration(_))) || given {
+    fn bound_of_gyration(&mut self, pulls: &[T]) {
+        let Some((tie, radius)) = self.scene.pulled_wheel() else { return };
+        let (rate, friction, up) = (self.rate(pulls).v[0], self.reactions(pulls)[tie], self.up(0));
+        let v = self.mode.v[0];
+        if v.is_zero() {
             return;
         }
-        let along = Coordinate { body: 0, degree: Degree::Along };
-        let mut radius = None;
-        let numbers = self.n.bodies[0];
-        let mut centre = -(numbers.mass * self.n.gravity * numbers.climb);
-        for tie in &self.scene.ties {
-            match tie {
-                Tie::Roll { radius_m, .. } => radius = Some(self.n.get(*radius_m)),
-                Tie::Cord(c) => {
-                    let Far::Pull(p) = c.to else { return };
-                    let p = self.n.massive(p);
-                    centre = if c.from.forward { centre + p } else { centre - p };
-                }
-                Tie::Slip { .. } | Tie::Slide { .. } => return,
-            }
-        }
-        let pulled = self.scene.ties.iter().any(|t| matches!(t, Tie::Cord(_)));
-        let (Some(c), true, false) = (radius, pulled, self.mode.of(along).is_zero()) else { return };
-        let up = self.up(0);
-        let none: PerTie<T> = smallvec![T::zero(); self.scene.ties.len()];
-        let whole = balance::powers(self.scene, &self.n, &self.mode, &none)
-            .into_iter()
-            .fold(T::zero(), |sum, p| sum + p.power)
-            / self.mode.of(along);
-        let (centre, whole) = (centre.signed(up), whole.signed(up));
-        // A pull at the centre turns nothing: so it is, whatever rounding leaves of the difference.
-        let wound =
-            self.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if c.from.attach != Attach::Centre));
-        let rotation = if wound { whole.balance(-centre) } else { T::zero() };
-        if if centre.sign() > 0.0 { rotation.sign() <= 0.0 } else { rotation.sign() < 0.0 } {
-            return;
-        }
-        let bound =
-            if centre.sign() > 0.0 { (c.square() * rotation / centre).root() } else { T::of(f64::INFINITY) };
+        let whole = (balance::inertia(&self.n, &self.mode, &self.mode) / v.square() * rate).signed(up);
+        let centre = (self.n.bodies[0].mass * rate).balance(-friction).signed(up);
+        let rotation = whole.balance(-centre);
+        let bound = match centre.sign() > 0.0 {
+            true if rotation.sign() > 0.0 => (self.n.get(radius).square() * rotation / centre).root(),
+            false if rotation.sign() >= 0.0 => T::of(f64::INFINITY),
+            _ => return,
+        };
         self.say(Quantity::KBound, Owner::Body(0), bound);
     }
 }

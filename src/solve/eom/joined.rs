@@ -285,10 +285,6 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
     motion.set_off(&state)?.to_its_end(teller)
 }
 
-/// Degrees per radian.
-fn degrees<T: Real>() -> T {
-    T::constant(Dd::new(180.0) / Dd::PI)
-}
 /// Step in which places on the way are looked for, radians.
 fn look<T: Real>() -> T {
     T::of(STRIDE / 16.0)
@@ -838,7 +834,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let (scene, n) = (self.mechanism.scene, self.mechanism.n);
         if let Some(apart) = self.mechanism.to_end_deg() {
             let apart = apart.signed(self.sense);
-            return ((Some(apart), T::zero()), apart / degrees(), None);
+            return ((Some(apart), T::zero()), apart / trig::degrees_per_radian(), None);
         }
         match scene.end {
             End::Speed(_, w) => {
@@ -972,12 +968,14 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let endless = T::of(f64::INFINITY);
         let margins = teller.pinned.is_some() && teller.asked.held;
         match self.mechanism.scene.end {
-            End::Angle(..) if reached && margins => self.limit(stop).map_or(endless, |way| way * degrees()),
+            End::Angle(..) if reached && margins => {
+                self.limit(stop).map_or(endless, |way| way * trig::degrees_per_radian())
+            }
             End::Speed(..) if margins => self.fastest(stop),
             End::Time(..) if teller.pinned.is_some() => most.unwrap_or(endless),
             End::Angle(..) if reached => endless,
-            End::Angle(..) => stop.way * degrees(),
-            End::TurningPoint(_) if stop.why == Why::Rest => stop.way * degrees(),
+            End::Angle(..) => stop.way * trig::degrees_per_radian(),
+            End::TurningPoint(_) if stop.why == Why::Rest => stop.way * trig::degrees_per_radian(),
             _ => endless,
         }
     }

@@ -20,7 +20,7 @@ use crate::num::{Real, trig};
 use crate::scene::pose;
 use crate::scene::{
     Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Label, Law, Made, Numbers, Owner,
-    Quantity, RotaryInertia, Scene, Side, Span, Start, Tie, speed,
+    Quantity, Scene, Side, Span, Start, Tie, speed,
 };
 use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, needs, normals, respond};
 use crate::solve::eom::integrate::{Event, Path, Wanted, path};
@@ -1250,7 +1250,7 @@ impl<'a, T: Real> Walk<'a, T> {
     fn standing(&mut self, pulls: &[T]) {
         self.accelerations(pulls);
         self.forces(pulls);
-        self.bound_of_gyration();
+        self.bound_of_gyration(pulls);
     }
 
     /// Where nothing sets off, everything stays as it is: no speed, no energy.
@@ -1393,7 +1393,7 @@ impl<'a, T: Real> Walk<'a, T> {
         }
         self.accelerations(pulls);
         self.forces(pulls);
-        self.bound_of_gyration();
+        self.bound_of_gyration(pulls);
         let mut sums = Sums::default();
         for b in 0..self.scene.bodies.len() {
             if let Some(c) = self.along(b) {
@@ -1534,43 +1534,18 @@ impl<'a, T: Real> Walk<'a, T> {
         None
     }
 
-    /// With F = 0: `a = X/m`, `alpha = M/(m k^2)` and `a = c alpha`, so `k^2 = c M/X`. Asked for a single rolling wheel
-    /// under constant pulls with a given radius of gyration; infinite where friction points up at any k.
-    fn bound_of_gyration(&mut self) {
-        let [body] = self.scene.bodies.as_slice() else { return };
-        let tilted = self.scene.ties.iter().any(|t| t.tilted().is_some());
-        if !self.asks(&[Quantity::KBound]) || !self.scene.growths.is_empty() || tilted {
-            return;
+    /// With F = 0: `a = X/m`, `alpha = M/(m k^2)` and `a = c alpha`, so `k^2 = c M/X`, with `X = m a - F` and `c M = I a + c^2 F` of
+    /// the wheel as it is; infinite where friction points up at any k.
+    fn bound_of_gyration(&mut self, pulls: &[T]) {
+        let Some((tie, radius)) = self.scene.pulled_wheel() else { return };
+        let Some(line) = self.along(0).filter(|_| self.asks(&[Quantity::KBound])) else { return };
+        let (n, a, friction) = (self.n.bodies[0], self.acceleration(line, pulls), self.friction(tie, pulls));
+        let force = (n.mass * a).balance(-friction).signed(self.up(0));
+        let moment = (n.inertia * a).balance(self.n.get(radius).square() * friction).signed(self.up(0));
+        if force.sign() > 0.0 && moment.sign() > 0.0 {
+            self.say(Quantity::KBound, Owner::Body(0), (moment / force).root());
+        } else if force.sign() <= 0.0 && moment.sign() >= 0.0 {
+            self.say(Quantity::KBound, Owner::Body(0), T::of(f64::INFINITY));
         }
-        let mut radius = None;
-        let numbers = self.n.bodies[0];
-        let (mut force, mut moment) = (-(numbers.mass * self.n.gravity * numbers.climb), T::zero());
-        let mut pulled = false;
-        for tie in &self.scene.ties {
-            match tie {
-                Tie::Roll { radius_m, .. } => radius = Some(self.n.get(*radius_m)),
-                Tie::Cord(c) => {
-                    let Far::Pull(p) = c.to else { return };
-                    pulled = true;
-                    let p = self.n.massive(p).signed(if c.from.forward { 1.0 } else { -1.0 });
-                    force = force + p;
-                    if let Attach::Wound(r, side) = c.from.attach {
-                        let lever = if side == Side::Top { self.n.get(r) } else { -self.n.get(r) };
-                        moment = moment + p * lever;
-                    }
-                }
-                Tie::Slip { .. } | Tie::Slide { .. } => return,
-            }
-        }
-        let (Some(c), true, Some(RotaryInertia::Gyration(_))) = (radius, pulled, &body.inertia) else {
-            return;
-        };
-        let (force, moment) = (force.signed(self.up(0)), moment.signed(self.up(0)));
-        let never = if force.sign() > 0.0 { moment.sign() <= 0.0 } else { moment.sign() < 0.0 };
-        if !self.scene.couples.is_empty() || never {
-            return;
-        }
-        let bound = if force.sign() > 0.0 { (c * moment / force).root() } else { T::of(f64::INFINITY) };
-        self.say(Quantity::KBound, Owner::Body(0), bound);
     }
 }
