@@ -333,9 +333,8 @@ fn compared(
 ) -> Result<(), Refusal> {
     let second: Road<Dd> = energy::road_of(scene, data, asked)?;
     // Where one road gets to the end and the other does not, the one tells what the other does not.
-    if let (Some((senses, reached)), Some((other, there))) = (course, second.kind())
-        && senses == other
-        && reached != there
+    if let (Some(one), Some(other)) = (course, second.kind())
+        && one == (other.0, !other.1)
     {
         return Err(Refusal::Barely);
     }

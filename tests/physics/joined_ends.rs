@@ -84,7 +84,7 @@ end: {{speed: {{of: bar, reaches: {least} rad/s}}}}
         ));
         agree::solve(&bank.problems[0].cases[0].scene, &[9.81])
     };
-    for power in 3..=16 {
+    for power in 3..=13 {
         for share in [1.0, -1.0].map(|sign| sign * 10.0_f64.powi(-power)) {
             match solve(share) {
                 Ok(solved) => assert_eq!(solved.all_hold(), share > 0.0, "{share}"),

@@ -19,8 +19,8 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Real, ball, trig};
 use crate::scene::{
-    Coordinate, Degree, End, Far, GivenForce, Label, Law, Numbers, Owner, Quantity, Scene, Span, SpringTie,
-    Tie, speed,
+    Attach, Coordinate, Cord, Degree, End, Far, GivenForce, Label, Law, Numbers, Owner, Quantity, Scene,
+    Span, SpringTie, Tie, speed,
 };
 use crate::solve::energy::account::{Account, Store, Stores};
 use crate::solve::energy::balance::{PerTie, Power, Reactions};
@@ -832,7 +832,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         let rate = self.rate(pulls);
         self.say_rates(&rate);
         self.say_forces(pulls);
-        self.bound_of_gyration(pulls);
+        self.bound_of_gyration();
     }
 
     /// No power at the start, no speed, no energy, ever.
@@ -960,7 +960,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         }
         self.say_rates(&rate);
         self.say_forces(pulls);
-        self.bound_of_gyration(pulls);
+        self.bound_of_gyration();
         let gone = |b: usize| self.gone(&end, |mode| mode.v[b]);
         let centres: SmallVec<[Gone<T>; 2]> = (0..self.scene.bodies.len()).map(gone).collect();
         let seen = energy.balance(self.shared(centres.iter().map(|gone| gone.speed), time));
@@ -1087,18 +1087,28 @@ impl<'a, T: Real> Ledger<'a, T> {
         sum
     }
 
-    /// Without friction the mass centre takes the power `X v`, the rotation what is left of the whole, `W' v`:
+    /// Without friction the mass centre takes the power `X v`, the rotation what is left of the whole:
     /// `k^2 = c^2 (W' - X)/X` with `v = c omega`. Infinite where friction points up at any k.
-    fn bound_of_gyration(&mut self, pulls: &[T]) {
-        let Some((tie, radius)) = self.scene.pulled_wheel() else { return };
-        let (rate, friction, up) = (self.rate(pulls).v[0], self.reactions(pulls)[tie], self.up(0));
-        let v = self.mode.v[0];
-        if v.is_zero() {
+    fn bound_of_gyration(&mut self) {
+        let Some((_, radius)) = self.scene.pulled_wheel().filter(|_| !self.mode.v[0].is_zero()) else {
             return;
+        };
+        let (numbers, up) = (self.n.bodies[0], self.up(0));
+        let mut centre = -(numbers.mass * self.n.gravity * numbers.climb);
+        let mut wound = false;
+        for tie in &self.scene.ties {
+            if let Tie::Cord(Cord { from, to: Far::Pull(p), .. }) = tie {
+                let p = self.n.massive(*p);
+                centre = if from.forward { centre + p } else { centre - p };
+                wound |= from.attach != Attach::Centre;
+            }
         }
-        let whole = (balance::inertia(&self.n, &self.mode, &self.mode) / v.square() * rate).signed(up);
-        let centre = (self.n.bodies[0].mass * rate).balance(-friction).signed(up);
-        let rotation = whole.balance(-centre);
+        let none: PerTie<T> = smallvec![T::zero(); self.scene.ties.len()];
+        let powers = balance::powers(self.scene, &self.n, &self.mode, &none);
+        let whole = powers.into_iter().fold(T::zero(), |sum, p| sum + p.power) / self.mode.v[0];
+        let (centre, whole) = (centre.signed(up), whole.signed(up));
+        // A pull at the centre turns nothing: so it is, whatever rounding leaves of the difference.
+        let rotation = if wound { whole.balance(-centre) } else { T::zero() };
         let bound = match centre.sign() > 0.0 {
             true if rotation.sign() > 0.0 => (self.n.get(radius).square() * rotation / centre).root(),
             false if rotation.sign() >= 0.0 => T::of(f64::INFINITY),
