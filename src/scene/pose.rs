@@ -912,11 +912,7 @@ impl<'a, T: Real> Layout<'a, T> {
     fn apart(&self, joint: usize) -> Option<T> {
         match self.scene.joints[joint].kind {
             JointKind::Cord { beyond: None, .. } => Some(self.starts[joint]),
-            JointKind::Contact { radius_m, surface: Surface::Arc { radius_m: arc, inside, .. }, .. } => {
-                let (own, arc) = (self.n.get(radius_m), self.n.get(arc));
-                Some(if inside { (own - arc).abs() } else { arc + own })
-            }
-            _ => None,
+            _ => Arc::of(self.scene, self.n, joint).map(|arc| arc.apart),
         }
     }
     /// The direction of the line of a joint.

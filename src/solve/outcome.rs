@@ -799,6 +799,10 @@ impl<T: Real> Road<T> {
         let held = Vec::with_capacity(if asked.held { 4 } else { 0 });
         Self { said, open: Vec::new(), course: None, held, velocities: Vec::new(), next: None }
     }
+    /// Notes that these quantities hang on a reaction that the ties share in a way that statics leaves open.
+    pub fn leaves_open(&mut self, of: Owner, quantities: &[Quantity]) {
+        self.open.extend(quantities.iter().map(|quantity| Label { quantity: *quantity, of }));
+    }
     /// The road without what is not told of the scene.
     pub fn telling(mut self, scene: &Scene) -> Self {
         self.said.retain(|said| scene.tells(said.label));

@@ -815,7 +815,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             if let Tie::Roll { body, .. } = tie {
                 if held.iter().any(|held| held.is_open(t)) {
                     if self.scene.bodies[*body].line.is_some_and(|l| l.surface) {
-                        self.say_open(Quantity::MuRequired, Owner::Body(*body));
+                        self.road.leaves_open(Owner::Body(*body), &[Quantity::MuRequired]);
                     }
                     continue;
                 }
@@ -867,11 +867,6 @@ impl<'a, T: Real> Ledger<'a, T> {
         }
     }
 
-    /// Says that a quantity hangs on a reaction that no balance of powers tells from the others.
-    fn say_open(&mut self, quantity: Quantity, of: Owner) {
-        self.road.open.push(Label { quantity, of });
-    }
-
     /// The force of a fixed axle, by what all forces would do if it gave way a little, to the right or up.
     fn axle(&mut self, body: usize, held: &Reactions<T>, pulls: &[T]) {
         let Some(cords) = self.scene.axle_pulls(body) else { return };
@@ -892,9 +887,8 @@ impl<'a, T: Real> Ledger<'a, T> {
                 }
                 Far::Spring { .. } => self.pull_of(t, pulls),
                 Far::Body(_) | Far::Fixed if held.is_open(t) => {
-                    for q in [Quantity::PinX, Quantity::PinY, Quantity::PinForce, Quantity::PinAngle] {
-                        self.say_open(q, of);
-                    }
+                    let open = [Quantity::PinX, Quantity::PinY, Quantity::PinForce, Quantity::PinAngle];
+                    self.road.leaves_open(of, &open);
                     return;
                 }
                 Far::Body(_) | Far::Fixed => held[t],
@@ -929,9 +923,9 @@ impl<'a, T: Real> Ledger<'a, T> {
                 Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. }
                     if held.is_open(t) =>
                 {
-                    self.say_open(Quantity::Friction, Owner::Body(*body));
+                    self.road.leaves_open(Owner::Body(*body), &[Quantity::Friction]);
                 }
-                Tie::Cord(c) if held.is_open(t) => self.say_open(c.force(), Owner::Tie(t)),
+                Tie::Cord(c) if held.is_open(t) => self.road.leaves_open(Owner::Tie(t), &[c.force()]),
                 Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => {
                     self.say(Quantity::Friction, Owner::Body(*body), held[t].signed(self.up(*body)));
                 }

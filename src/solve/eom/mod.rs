@@ -19,8 +19,8 @@ use crate::num::{Lanes, lanes};
 use crate::num::{Real, trig};
 use crate::scene::pose;
 use crate::scene::{
-    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Label, Law, Made, Numbers, Owner,
-    Quantity, Scene, Side, Span, Start, Tie, speed,
+    Action, Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Label, Law, Made,
+    Numbers, Owner, Quantity, Scene, Side, Span, Start, Tie, speed,
 };
 use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, needs, normals, respond};
 use crate::solve::eom::integrate::{Event, Path, Wanted, path};
@@ -1119,7 +1119,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 if let Tie::Roll { body, .. } = tie
                     && self.scene.bodies[*body].line.is_some_and(|l| l.surface)
                 {
-                    self.say_open(Quantity::MuRequired, Owner::Body(*body));
+                    self.road.leaves_open(Owner::Body(*body), &[Quantity::MuRequired]);
                 }
                 // A light rod may push as well.
                 let watched = match tie {
@@ -1150,7 +1150,7 @@ impl<'a, T: Real> Walk<'a, T> {
                         let least = least.unwrap_or(0);
                         let force = walk.n.publish(Quantity::Tension, forces[least]).f64();
                         let at = walk.moments(places).nth(least).unwrap_or((&walk.response, &[]));
-                        Held::Cord(t, force, walk.share_of_tension((t, c), forces[least], at))
+                        Held::Cord(t, force, walk.share_of_tension(t, forces[least], at))
                     });
                 }
                 _ => {}
@@ -1182,68 +1182,40 @@ impl<'a, T: Real> Walk<'a, T> {
 
     /// Tension of a cord as a share of the other forces (or moments) on what it pulls, under these tensions of the springs: near 0 the
     /// cord is about to go slack. The smaller share of its two ends.
-    fn share_of_tension(
-        &self,
-        (tie, cord): (usize, &Cord),
-        tension: T,
-        (response, pulls): (&Response<T>, &[T]),
-    ) -> f64 {
-        let friction = |t: usize| under(pulls, |k| response.reaction(t, k));
-        let other = match &cord.to {
-            Far::Body(end) => Some(end),
-            Far::Pull(_) | Far::Spring { .. } | Far::Fixed => None,
-        };
-        let share = |end: &CordEnd| {
-            let b = end.body;
-            let n = &self.n.bodies[b];
-            let (c, arm) = match (self.along(b), end.attach) {
-                (Some(c), _) => (c, None),
-                (None, Attach::Wound(p, _)) => {
-                    (Coordinate { body: b, degree: Degree::Turn }, Some(self.n.get(p)))
-                }
-                (None, Attach::Centre) => return 1.0,
+    fn share_of_tension(&self, tie: usize, tension: T, (response, pulls): (&Response<T>, &[T])) -> f64 {
+        let size = |x: T| x.f64().abs();
+        let share = |end: Action| {
+            let (b, n) = (end.body, &self.n.bodies[end.body]);
+            let line = self.along(b);
+            if line.is_none() && end.arm.is_none() {
+                return 1.0;
+            }
+            let a = |c| self.acceleration_in(response, c, pulls);
+            let mut others = match line {
+                Some(line) => size(n.mass * a(line)) + size(self.drawn(b)),
+                None => size(n.inertia * a(Coordinate { body: b, degree: Degree::Turn })),
             };
-            // Lever of a cord or contact that acts on the body.
-            let lever = |attach: Attach| match (arm, attach) {
-                (None, _) => T::of(1.0),
-                (Some(_), Attach::Wound(p, _)) => self.n.get(p),
-                (Some(_), Attach::Centre) => T::zero(),
-            };
-            let size = |x: T| x.f64().abs();
-            let a = self.acceleration_in(response, c, pulls);
-            let mut others = match arm {
-                None => size(n.mass * a) + size(self.drawn(b)),
-                Some(_) => size(n.inertia * a),
-            };
-            for couple in self.scene.couples.iter().filter(|k| arm.is_some() && k.body == b) {
+            for couple in self.scene.couples.iter().filter(|k| line.is_none() && k.body == b) {
                 others += size(self.n.massive(couple.moment_n_m));
             }
+            // The force of what acts on the body, or its moment.
+            let acts = |force: T, action: &Action| match (line, action.arm) {
+                (Some(_), _) => size(force),
+                (None, arm) => arm.map_or(0.0, |(radius, _)| size(force * self.n.get(radius))),
+            };
             for (t, other) in self.scene.ties.iter().enumerate().filter(|(t, _)| *t != tie) {
-                others += match other {
-                    Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. } if *body == b => {
-                        size(friction(t) * lever(Attach::Wound(*radius_m, Side::Bottom)))
-                    }
-                    Tie::Slide { body, .. } if *body == b && arm.is_none() => size(friction(t)),
-                    Tie::Cord(Cord { from, to, .. }) => {
-                        let far = match to {
-                            Far::Body(end) if end.body == b => Some(end),
-                            _ => None,
-                        };
-                        let force = match to {
-                            Far::Pull(p) => self.n.massive(*p),
-                            Far::Spring { .. } => self.pull_of(t, pulls),
-                            Far::Body(_) | Far::Fixed => friction(t),
-                        };
-                        let near = Some(from).filter(|end| end.body == b);
-                        near.into_iter().chain(far).map(|end| size(force * lever(end.attach))).sum()
-                    }
-                    _ => 0.0,
+                let force = match other {
+                    Tie::Cord(Cord { to: Far::Pull(p), .. }) => self.n.massive(*p),
+                    Tie::Cord(Cord { to: Far::Spring { .. }, .. }) => self.pull_of(t, pulls),
+                    _ => under(pulls, |k| response.reaction(t, k)),
                 };
+                let on_it = other.actions().filter(|action| action.body == b);
+                others += on_it.map(|action| acts(force, &action)).sum::<f64>();
             }
-            let own = size(tension * lever(end.attach));
+            let own = acts(tension, &end);
             if others > 0.0 { own / others } else { 1.0 }
         };
-        other.map_or(1.0, share).min(share(&cord.from))
+        self.scene.ties[tie].actions().map(share).fold(1.0, f64::min)
     }
 
     /// What needs no ending event: accelerations and forces at the start.
@@ -1305,11 +1277,6 @@ impl<'a, T: Real> Walk<'a, T> {
         }
     }
 
-    /// Says that a quantity hangs on a reaction that the ties share in a way that statics leaves open.
-    fn say_open(&mut self, quantity: Quantity, of: Owner) {
-        self.road.open.push(Label { quantity, of });
-    }
-
     /// Friction of the contacts and tension of the cords at these tensions of the springs.
     fn forces(&mut self, pulls: &[T]) {
         use Quantity::{PinAngle, PinForce, PinX, PinY};
@@ -1324,9 +1291,11 @@ impl<'a, T: Real> Walk<'a, T> {
                 Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. }
                     if self.response.is_open(t) =>
                 {
-                    self.say_open(Quantity::Friction, Owner::Body(*body));
+                    self.road.leaves_open(Owner::Body(*body), &[Quantity::Friction]);
                 }
-                Tie::Cord(c) if self.response.is_open(t) => self.say_open(c.force(), Owner::Tie(t)),
+                Tie::Cord(c) if self.response.is_open(t) => {
+                    self.road.leaves_open(Owner::Tie(t), &[c.force()])
+                }
                 Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => {
                     let f = self.friction(t, pulls);
                     let scale = self.friction_scale(&self.response, *body, f, pulls);
@@ -1369,7 +1338,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 }
                 Far::Spring { .. } => self.pull_of(t, pulls),
                 _ if self.response.is_open(t) => {
-                    quantities.into_iter().for_each(|q| self.say_open(q, of));
+                    self.road.leaves_open(of, &quantities);
                     return;
                 }
                 _ => self.friction(t, pulls),

@@ -151,7 +151,7 @@ impl<T: Real> Account<'_, T> {
                         self.say(road, *quantity, of, *impulse);
                     }
                 }
-                None => road.open.extend(quantities.iter().map(|q| Label { quantity: *q, of })),
+                None => road.leaves_open(of, quantities),
             }
         }
     }
@@ -234,7 +234,7 @@ impl<T: Real> Account<'_, T> {
             let of = Owner::Joint(j);
             let quantities = joint.kind.forces();
             let Some(forces) = forces else {
-                road.open.extend(quantities.iter().map(|q| Label { quantity: *q, of }));
+                road.leaves_open(of, quantities);
                 continue;
             };
             for (quantity, (force, _)) in quantities.iter().zip(&forces) {

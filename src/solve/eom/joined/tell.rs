@@ -217,7 +217,7 @@ impl<T: Real> Teller<'_, '_, T> {
         for (j, joint) in self.scene.joints.iter().enumerate() {
             let (of, quantities) = (Owner::Joint(j), joint.kind.impulses());
             let Some(impulses) = self.mechanism.reaction(jumps, j, T::zero()) else {
-                self.road.open.extend(quantities.iter().map(|q| Label { quantity: *q, of }));
+                self.road.leaves_open(of, quantities);
                 continue;
             };
             for (quantity, impulse) in quantities.iter().zip(&impulses) {
@@ -334,7 +334,7 @@ impl<T: Real> Teller<'_, '_, T> {
             let of = Owner::Joint(j);
             let quantities = joint.kind.forces();
             let Some(force) = mechanism.reaction(response, j, square) else {
-                self.road.open.extend(quantities.iter().map(|q| Label { quantity: *q, of }));
+                self.road.leaves_open(of, quantities);
                 continue;
             };
             for (quantity, force) in quantities.iter().zip(&force) {
