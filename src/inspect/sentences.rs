@@ -7,10 +7,10 @@ use crate::num::ode::Trouble;
 pub use crate::num::shown::significant as rounded;
 use crate::problem::rule::inadmissible;
 use crate::scene::given;
-use crate::scene::pose::{Choice, Gap, Layout};
+use crate::scene::pose::{Choice, Gap, Layout, Obstacle};
 use crate::scene::{
-    AsIf, Asked, Coordinate, Degree, End, Found, JointKind, Mass, Num, Numbers, Planar, Quantity, Scene,
-    Span, Spot, Straight, Tie,
+    AsIf, Asked, Coordinate, Degree, End, Found, JointKind, Mass, Num, Numbers, Owner, Planar, Quantity,
+    Scene, Span, Spot, Straight, Tie,
 };
 use crate::solve::ladder::{self, Force, Taken};
 use crate::solve::method::{Method, Rung};
@@ -410,7 +410,14 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
         | Refusal::Tilted { .. }
         | Refusal::Crossed(_)
         | Refusal::Parted { .. }
+        | Refusal::PartedBefore { .. }
         | Refusal::Moved { .. } => misplaced(scene, refusal),
+        Refusal::Beyond(obstacle) => beyond(scene, *obstacle),
+        Refusal::SlackBetween(tie) => say("refused.slack_between", &[("tie", &of_tie(scene, *tie))]),
+        Refusal::SlipShared(tie) => say("refused.slip_shared", &[("body", &of_tie(scene, *tie))]),
+        Refusal::EqualByChance { usual, now } => {
+            say("refused.equal_by_chance", &[("usual", usual), ("now", now)])
+        }
         Refusal::Open(of) => say("refused.open", &[("of", &velocity(scene, *of))]),
         Refusal::Contradiction { of, given, follows } => {
             let pieces: [(&str, &dyn Display); 4] = [
@@ -451,6 +458,7 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
             )
         }
         Refusal::Apart => say("refused.apart", &[]),
+        Refusal::Barely => say("refused.barely", &[]),
         Refusal::NoMethod { method } => say("refused.no_method", &[("method", &method.name())]),
         Refusal::Unsettled(why) => unsettled(scene, why),
         Refusal::Disagree { label, eom, energy, allowed } => {
@@ -470,6 +478,29 @@ fn hangs_at_its_pulley(scene: &Scene, body: usize) -> bool {
     };
     let hangs = held(|kind| matches!(kind, JointKind::Cord { beyond: Some(_), .. }));
     placed && hangs && held(|kind| matches!(kind, JointKind::Guide { line: Straight { on: None, .. }, .. }))
+}
+
+fn joint_name(scene: &Scene, joint: usize) -> &str {
+    scene.joints.get(joint).map_or("?", |j| j.name.as_str())
+}
+
+/// What a motion does not pass.
+fn beyond(scene: &Scene, obstacle: Obstacle) -> String {
+    let name = |of: Owner| scene.owner_name(of).unwrap_or_default();
+    match obstacle {
+        Obstacle::Wound(strut) => say("refused.beyond.wound", &[("spring", &name(Owner::Strut(strut)))]),
+        Obstacle::Pulley(joint) => say("refused.beyond.pulley", &[("joint", &joint_name(scene, joint))]),
+        Obstacle::InLine(body, other) => {
+            say("refused.beyond.in_line", &[("body", &id(scene, body)), ("other", &id(scene, other))])
+        }
+        Obstacle::Across(body) => say("refused.beyond.across", &[("body", &id(scene, body))]),
+        Obstacle::AtPin(body) => say("refused.beyond.at_pin", &[("body", &id(scene, body))]),
+        Obstacle::Strikes(spot, joint) => {
+            let (body, point) = scene.point_name(spot).unwrap_or_default();
+            let joint = joint_name(scene, joint);
+            say("refused.beyond.strikes", &[("point", &point), ("body", &body), ("joint", &joint)])
+        }
+    }
 }
 
 /// Why joined bodies are not put where the joints and the data say.
@@ -511,9 +542,13 @@ fn misplaced(scene: &Scene, refusal: &Refusal) -> String {
             say("refused.crossed", &[("body", &body), ("point", &point), ("here", &here), ("there", &there)])
         }
         Refusal::Parted { joint, off_m, at_start } => {
-            let joint = scene.joints.get(*joint).map_or("?", |j| j.name.as_str());
+            let joint = joint_name(scene, *joint);
             let name = if off_m.is_nan() { "refused.parted_open" } else { "refused.parted" };
             say(name, &[("joint", &joint), ("when", &when(at_start)), ("off", &figures(*off_m))])
+        }
+        Refusal::PartedBefore { joint, speed, degree } => {
+            let speed = format!("{} {}", figures(*speed), given::speed_unit(*degree));
+            say("refused.parted_before", &[("joint", &joint_name(scene, *joint)), ("speed", &speed)])
         }
         Refusal::Moved { body, off_m } => {
             say("refused.moved", &[("body", &id(scene, *body)), ("off", &figures(*off_m))])

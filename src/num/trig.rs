@@ -81,7 +81,11 @@ fn reduced<T: Real>(degrees: f64) -> (T, T) {
     }
     let nearest = libm::rint(x);
     let rest = x - nearest;
-    let (s, c) = beside(nearest as usize, T::of(rest) * T::constant(RADIANS_PER_DEGREE));
+    beyond(quadrant, beside(nearest as usize, T::of(rest) * T::constant(RADIANS_PER_DEGREE)))
+}
+
+/// Sine and cosine of an angle so many right angles on.
+fn beyond<T: Real>(quadrant: u32, (s, c): (T, T)) -> (T, T) {
     match quadrant {
         0 => (s, c),
         1 => (c, -s),
@@ -135,13 +139,7 @@ fn turned<T: Real>(x: T) -> (T, T) {
     let rest = x - T::of(whole) * T::constant(RADIANS_PER_DEGREE);
     let turned = libm::fmod(whole, 360.0);
     let quadrant = libm::floor(turned / 90.0);
-    let (s, c) = beside((turned - 90.0 * quadrant) as usize, rest);
-    match quadrant as u32 {
-        0 => (s, c),
-        1 => (c, -s),
-        2 => (-s, -c),
-        _ => (-c, s),
-    }
+    beyond(quadrant as u32, beside((turned - 90.0 * quadrant) as usize, rest))
 }
 
 /// Below this share a sine is its angle, and a tangent too: the next term is below 2^-112.

@@ -680,7 +680,7 @@ fn unsolved(refusals: &mut Refusals, refusal: Refusal) -> DrawRule {
             refusals.inadmissible = faults;
             return DrawRule::Admissible;
         }
-        Refusal::Disagree { .. } => DrawRule::Agree,
+        Refusal::Disagree { .. } | Refusal::Barely => DrawRule::Agree,
         Refusal::Open(_) | Refusal::Contradiction { .. } => DrawRule::Start,
         _ => DrawRule::Solvable,
     };

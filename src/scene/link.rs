@@ -1,5 +1,5 @@
 //! Ties between bodies and with the ground: rolling, slipping and sliding contacts, cords.
-use crate::scene::{Num, Quantity};
+use crate::scene::{Num, Quantity, RotaryInertia, Scene};
 
 /// A tie. Each adds the rows that it needs to the assembly, and no others.
 #[derive(Debug, Clone, PartialEq)]
@@ -186,6 +186,22 @@ pub struct Rubbing {
     pub mu_s: Num,
     /// Kinetic friction coefficient.
     pub mu_k: Num,
+}
+
+impl Scene {
+    /// The rolling contact of a wheel with a given radius of gyration that rolls alone under constant pulls along its line, and the radius
+    /// on which it rolls.
+    pub fn pulled_wheel(&self) -> Option<(usize, Num)> {
+        let [body] = self.bodies.as_slice() else { return None };
+        let given = matches!(body.inertia, Some(RotaryInertia::Gyration(_)));
+        let pulls =
+            |t: &Tie| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_)) && c.from.tilt_deg.is_none());
+        let rolls = |t: &Tie| if let Tie::Roll { radius_m, .. } = t { Some(*radius_m) } else { None };
+        let constant = self.couples.is_empty() && self.growths.is_empty() && self.ties.iter().any(pulls);
+        let tie = self.ties.iter().position(|t| rolls(t).is_some()).filter(|_| given && constant)?;
+        let alone = self.ties.iter().enumerate().all(|(t, other)| t == tie || pulls(other));
+        rolls(&self.ties[tie]).filter(|_| alone).map(|radius| (tie, radius))
+    }
 }
 
 impl Tie {

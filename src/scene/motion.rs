@@ -135,6 +135,14 @@ pub struct Thrown {
 }
 
 impl Scene {
+    /// Is it declared to go the other way than in this sense of the ending coordinate?
+    pub fn goes_wrong(&self, sense: f64) -> bool {
+        match self.heading {
+            Some(Heading::Forward) => sense < 0.0,
+            Some(Heading::Back) => sense > 0.0,
+            None => false,
+        }
+    }
     /// The speeds and spins of the start, in the order of the bank.
     pub fn start_speeds(&self) -> impl Iterator<Item = (Coordinate, Num)> {
         self.start.iter().filter_map(|s| match s {

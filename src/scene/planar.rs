@@ -476,14 +476,15 @@ impl Scene {
             _ => None,
         })
     }
-    /// Is a torsion spring wound by half a turn or more at the start, as far as the data say it?
-    pub fn is_overwound(&self, data: &[f64]) -> bool {
+    /// The torsion spring that is wound by half a turn or more at the start, as far as the data say it.
+    pub fn overwound(&self, data: &[f64]) -> Option<usize> {
         let wound = |strut: &Strut| match (strut.rest, self.planar(strut.at.body)?.start_deg) {
             (Rest::Stretch(by), _) => Some(self.value(by, data)),
             (Rest::Length(at), Some(start)) => Some(self.value(start, data) - self.value(at, data)),
             _ => None,
         };
-        self.struts.iter().filter(|s| s.twists()).filter_map(wound).any(|angle| angle.abs() >= 180.0)
+        let far = |s: &Strut| s.twists() && wound(s).is_some_and(|angle| angle.abs() >= 180.0);
+        self.struts.iter().position(far)
     }
 }
 

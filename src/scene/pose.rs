@@ -471,6 +471,23 @@ pub struct Gap {
     pub bridged_m: f64,
 }
 
+/// What a motion does not pass: its end has to come before.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Obstacle {
+    /// This torsion spring is wound by half a turn, where its moment has two senses.
+    Wound(usize),
+    /// The load on the cord of this joint comes to its pulley, from where it could go either way.
+    Pulley(usize),
+    /// These two hinged bodies lie in one line, from where they could go on in two ways.
+    InLine(usize, usize),
+    /// This body lies across its guide, likewise.
+    Across(usize),
+    /// The point in the slot of this body is at its pin, likewise.
+    AtPin(usize),
+    /// This point passes through the surface of a joint: an impact.
+    Strikes(Spot, usize),
+}
+
 /// The leading body on a cylinder.
 #[derive(Debug, Clone, Copy)]
 pub struct Arc<T> {
@@ -677,17 +694,20 @@ impl<'a, T: Real> Layout<'a, T> {
             }
         })
     }
+    /// How far the leading angle changes up to the angle that ends the motion, degrees.
+    pub fn to_end_deg(&self) -> Option<T> {
+        let End::Angle(_, angle) = self.scene.end else { return None };
+        let start = self.scene.planar(self.lead).and_then(|planar| planar.start_deg);
+        Some(self.n.get(angle) - start.map_or_else(T::zero, |start| self.n.get(start)))
+    }
     /// How far a motion is followed, radians of the leading angle: two turns, or as far as its end.
     pub fn horizon(&self) -> T {
         let turns = T::constant(Dd::PI.scale2(2));
-        let End::Angle(_, angle) = self.scene.end else { return turns };
-        let start = self.scene.planar(self.lead).and_then(|planar| planar.start_deg);
-        let apart = self.n.get(angle) - start.map_or_else(T::zero, |start| self.n.get(start));
-        (apart * T::constant(Dd::PI / Dd::new(180.0))).abs().larger(turns)
+        self.to_end_deg().map_or(turns, |apart| (apart * trig::radians_per_degree()).abs().larger(turns))
     }
     /// The first way in this sense, looked for up to `far`, on which a torsion spring comes to be wound by half a turn, from where it
     /// is relaxed, or a load to its pulley. What a page solves comes to its end before.
-    pub fn overruns(&self, relaxed: &[[T; 2]], sense: f64, far: (T, T)) -> Option<T> {
+    pub fn overruns(&self, relaxed: &[[T; 2]], sense: f64, far: (T, T)) -> Option<(T, Obstacle)> {
         if !cfg!(feature = "program") {
             return None;
         }
@@ -695,19 +715,20 @@ impl<'a, T: Real> Layout<'a, T> {
         let changes = |value: &dyn Fn(T) -> Option<T>| {
             root::changes(far, &[], &|way| value(way).ok_or(())).unwrap_or_default()
         };
-        let twisted = self.scene.struts.iter().zip(relaxed).filter(|(strut, _)| strut.twists());
-        let wound = twisted.filter_map(|(strut, [x, y])| {
+        let twisted = self.scene.struts.iter().zip(relaxed).enumerate().filter(|(_, (s, _))| s.twists());
+        let wound = twisted.filter_map(|(s, (strut, [x, y]))| {
             let axis = |way: T| Some(poses(way)?[strut.at.body].axis);
             let ways = changes(&|way| axis(way).map(|[c, s]| *x * s - *y * c));
-            ways.into_iter().find(|way| axis(*way).is_some_and(|at| dot([*x, *y], at).sign() < 0.0))
+            let way =
+                ways.into_iter().find(|way| axis(*way).is_some_and(|at| dot([*x, *y], at).sign() < 0.0));
+            Some((way?, Obstacle::Wound(s)))
         });
-        let hung = self.steps.iter().flatten().filter_map(|(_, step)| match step {
-            Step::Hangs(_, hung) => {
-                changes(&|way| Some(self.left(hung, &poses(way)?) - hung.off.abs())).first().copied()
-            }
-            _ => None,
+        let hung = self.steps.iter().flatten().filter_map(|(_, step)| {
+            let Step::Hangs(_, hung) = step else { return None };
+            let ways = changes(&|way| Some(self.left(hung, &poses(way)?) - hung.off.abs()));
+            Some((*ways.first()?, Obstacle::Pulley(hung.joint)))
         });
-        wound.chain(hung).reduce(|one, other| if other.below(one) { other } else { one })
+        wound.chain(hung).reduce(|one, other| if other.0.below(one.0) { other } else { one })
     }
     /// How much of a cord is left for the load that hangs on it.
     fn left<X: Followed<T>>(&self, hung: &Hung<T>, poses: &Poses<X>) -> X {
@@ -716,27 +737,32 @@ impl<'a, T: Real> Layout<'a, T> {
     }
     /// Do two hinged rods lie in one line after this way, or a rod across its guide, or a point in a slot at the pin of its arm, where
     /// they could go on in two ways?
-    pub fn in_line(&self, way: T) -> bool {
+    pub fn in_line(&self, way: T) -> Option<Obstacle> {
         const SINE: f64 = 1e-4;
-        let Some(poses) = self.poses::<T>(way, false) else { return false };
+        let poses = self.poses::<T>(way, false)?;
         let place = |held: &Held<T>| held.place.among(&poses);
         let sine = |one: [T; 2], other: [T; 2]| {
             let size = (dot(one, one) * dot(other, other)).root();
             ((one[0] * other[1] - one[1] * other[0]) / size).size()
         };
-        self.steps.iter().flatten().any(|(body, step)| match step {
-            Step::Pair(held, _, far, [own, _], _) => {
-                let hinge = poses[*body].point(plus(held.at, *own));
-                sine(less(hinge, place(held)), less(place(far), hinge)) < SINE
-            }
-            Step::Rod(held, guide, _) => {
-                let along = less(poses[*body].point(guide.at), place(held));
-                sine(along, left(guide.unit)) < SINE
-            }
-            Step::Slot(held, through, ..) => {
-                off(through.among(&poses), place(held)) < SINE * size(self.scene, self.n)
-            }
-            _ => false,
+        self.steps.iter().flatten().find_map(|(body, step)| {
+            let (sine, obstacle) = match step {
+                Step::Pair(held, other, far, [own, _], _) => {
+                    let hinge = poses[*body].point(plus(held.at, *own));
+                    let sine = sine(less(hinge, place(held)), less(place(far), hinge));
+                    (sine, Obstacle::InLine(*body, *other))
+                }
+                Step::Rod(held, guide, _) => {
+                    let along = less(poses[*body].point(guide.at), place(held));
+                    (sine(along, left(guide.unit)), Obstacle::Across(*body))
+                }
+                Step::Slot(held, through, ..) => {
+                    let apart = off(through.among(&poses), place(held));
+                    (apart / size(self.scene, self.n), Obstacle::AtPin(*body))
+                }
+                _ => return None,
+            };
+            (sine < SINE).then_some(obstacle)
         })
     }
     /// Rate of the leading angle at the start: a spin is that of its body, a speed that of its mass centre, positive where the
@@ -886,11 +912,7 @@ impl<'a, T: Real> Layout<'a, T> {
     fn apart(&self, joint: usize) -> Option<T> {
         match self.scene.joints[joint].kind {
             JointKind::Cord { beyond: None, .. } => Some(self.starts[joint]),
-            JointKind::Contact { radius_m, surface: Surface::Arc { radius_m: arc, inside, .. }, .. } => {
-                let (own, arc) = (self.n.get(radius_m), self.n.get(arc));
-                Some(if inside { (own - arc).abs() } else { arc + own })
-            }
-            _ => None,
+            _ => Arc::of(self.scene, self.n, joint).map(|arc| arc.apart),
         }
     }
     /// The direction of the line of a joint.

@@ -1,7 +1,7 @@
 //! Runs both roads and compares; the only file beside the ladder that sees both.
 use crate::num::{Ball, Dd, Fast, NOISE, Real, U, ball, dd};
 use crate::scene::admissible::Rule;
-use crate::scene::pose::Gap;
+use crate::scene::pose::{Gap, Obstacle};
 use crate::scene::{AsIf, End, Far, Label, Num, Owner, Quantity, Scales, Scene, Start, Tie, admissible};
 use crate::solve::condition::vanishes;
 use crate::solve::outcome::{
@@ -332,6 +332,12 @@ fn compared(
     (solved, course, next): (&mut Solved, Kind, Kind),
 ) -> Result<(), Refusal> {
     let second: Road<Dd> = energy::road_of(scene, data, asked)?;
+    // Where one road gets to the end and the other does not, the one tells what the other does not.
+    if let (Some(one), Some(other)) = (course, second.kind())
+        && one == (other.0, !other.1)
+    {
+        return Err(Refusal::Barely);
+    }
     for (i, entry) in solved.entries.iter_mut().enumerate() {
         let said = second.said_at(i, entry.label);
         let (mut eom, mut energy) = (entry.value(), said.map_or(f64::NAN, |s| s.value.f64() + 0.0));
@@ -453,8 +459,8 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
     let lamina = scene.bodies.iter().any(|b| !b.particles.is_empty());
     let refuse = |what| Err(Refusal::Unsupported(what));
     if scene.lead().is_some() {
-        if scene.is_overwound(data) {
-            return refuse(Unsupported::Overrun);
+        if let Some(strut) = scene.overwound(data) {
+            return Err(Refusal::Beyond(Obstacle::Wound(strut)));
         }
         let joined = scene.bodies.iter().all(|b| b.planar.is_some()) && scene.ties.is_empty();
         let along = matches!(scene.end, End::Travel(..) | End::Position(..));
@@ -472,8 +478,9 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
     let freedoms = scene.freedoms();
     let number = |n: Num| scene.value(n, data);
     // Cords alone can say what other ties say.
-    if scene.ties.iter().any(is_held) && scene.freedoms_with(&number) != freedoms {
-        return refuse(Unsupported::EqualByChance);
+    let now = || scene.freedoms_with(&number);
+    if scene.ties.iter().any(is_held) && now() != freedoms {
+        return Err(Refusal::EqualByChance { usual: freedoms, now: now() });
     }
     // On the way a spring has one freedom, which ends nowhere but at the turning point.
     let moves = scene.is_sprung() && !matches!(scene.end, End::AtOnce);

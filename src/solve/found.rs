@@ -1,8 +1,12 @@
 //! The inverse question: of a datum that was measured, the solution with the value of another datum that gives just this
 //! measurement. Each road finds it for itself, on its own equations, from the stated range alone.
+//!
+//! Beside it stands what both roads do alike with what they find of one scene: what is asked by formulas is worked out from it.
+#[cfg(feature = "program")]
+use crate::num::Dd;
 use crate::num::dd::pow2;
 use crate::num::{Fast, Real, ball, root};
-use crate::scene::Found;
+use crate::scene::{Found, Numbers, Quantity, Scene};
 use crate::solve::outcome::{Refusal, Road, Said, Scope};
 
 /// Places of the stated range at which a change of sign is looked for.
@@ -18,17 +22,77 @@ const WIDTHS: [i32; 4] = [-44, -40, -34, -28];
 /// Enclosures of parts of the range that are spent on showing that there is no other root.
 const MOST: u32 = 20_000;
 
-/// What a road says of what is asked, with these data.
-type Says<'f, T> = &'f dyn Fn(&[f64], Scope) -> Result<Road<T>, Refusal>;
+/// What a road finds of one scene with its numbers, as far as it is asked.
+pub type Finds<T> = fn(&Scene, Numbers<T>, Scope) -> Result<Road<T>, Refusal>;
 
-/// How a road answers, as far as is asked.
-pub struct Forward<'f, T: Real> {
-    /// In doubles.
-    pub rough: Says<'f, Fast>,
-    /// As it stands.
-    pub measured: Says<'f, T>,
-    /// With what is asked by formulas.
-    pub exact: Says<'f, T>,
+/// A road that solves a scene again and again with other values of the unknown.
+struct Forward<'s, T: Real> {
+    scene: &'s Scene,
+    finds: Finds<T>,
+    /// The same in doubles.
+    rough: Finds<Fast>,
+}
+
+impl<T: Real> Forward<'_, T> {
+    /// What was measured, with all data given: of an expression that is everything.
+    fn measured<X: Real>(&self, found: &Found, data: &[f64], finds: Finds<X>) -> Result<Road<X>, Refusal> {
+        match found.label.quantity {
+            Quantity::Value => answered(self.scene, data, Scope::ALL, finds),
+            quantity => alone(self.scene, data, Scope::only([quantity]), finds),
+        }
+    }
+    /// All that is asked.
+    fn exact(&self, data: &[f64]) -> Result<Road<T>, Refusal> {
+        answered(self.scene, data, Scope::ALL, self.finds)
+    }
+}
+
+/// What a road says of what is asked, in its own numbers and, where it searches, in doubles; where a formula asks, that is everything.
+///
+/// # Errors
+/// Those of the road; no value of the stated range gives the measurement, or it cannot be shown to be the only one.
+pub fn road_of<T: Real>(
+    scene: &Scene,
+    data: &[f64],
+    asked: Scope,
+    (finds, rough): (Finds<T>, Finds<Fast>),
+) -> Result<Road<T>, Refusal> {
+    match &scene.formulas.found {
+        Some(found) => road(found, data, &Forward { scene, finds, rough }),
+        None => answered(scene, data, asked, finds),
+    }
+}
+
+/// The value of the unknown that gives the measurement, to a few units of doubles.
+#[cfg(feature = "program")]
+pub fn datum(scene: &Scene, data: &[f64], (finds, rough): (Finds<Dd>, Finds<Fast>)) -> Option<f64> {
+    search(scene.formulas.found.as_ref()?, data, &Forward { scene, finds, rough })
+}
+
+/// The road without what is asked by formulas, with all data given.
+fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope, finds: Finds<T>) -> Result<Road<T>, Refusal> {
+    Ok(finds(scene, Numbers::new(scene, data), asked)?.telling(scene))
+}
+
+/// [`road_of`] with all data given.
+fn answered<T: Real>(scene: &Scene, data: &[f64], asked: Scope, finds: Finds<T>) -> Result<Road<T>, Refusal> {
+    let asked = if scene.formulas.asked.is_empty() { asked } else { Scope::ALL };
+    answering(alone(scene, data, asked, finds)?, scene, data, finds)
+}
+
+/// What was found of a scene, with what is asked by formulas.
+///
+/// # Errors
+/// Those of [`Road::answering`].
+pub fn answering<T: Real>(
+    road: Road<T>,
+    scene: &Scene,
+    data: &[f64],
+    finds: Finds<T>,
+) -> Result<Road<T>, Refusal> {
+    road.answering(scene, data, &|other, data, taken| {
+        Ok(finds(other, Numbers::after(other, data, taken), Scope::ALL)?.telling(other))
+    })
 }
 
 /// What is measured on a road, less its printed value.
@@ -37,21 +101,17 @@ fn miss<T: Real>(found: &Found, road: &Road<T>, data: &[f64]) -> Option<T> {
 }
 
 /// The road at the value of the unknown that gives the measurement.
-///
-/// # Errors
-/// Those of the road; no value of the stated range gives it, or it cannot be shown to be the only one.
-pub fn road<T: Real>(found: &Found, data: &[f64], forward: &Forward<T>) -> Result<Road<T>, Refusal> {
-    let root =
-        search(found, data, forward.rough, T::is_double()).ok_or_else(|| nowhere(found, data, forward))?;
+fn road<T: Real>(found: &Found, data: &[f64], forward: &Forward<T>) -> Result<Road<T>, Refusal> {
+    let root = search(found, data, forward).ok_or_else(|| nowhere(found, data, forward))?;
     let mut at = data.to_vec();
     let unknown = found.unknown.datum;
     if T::ENCLOSES {
         return enclosed(found, &mut at, root, forward);
     }
     at[unknown] = root;
-    let mut near = (forward.exact)(&at, Scope::ALL)?;
+    let mut near = forward.exact(&at)?;
     at[unknown] = root * (1.0 + STEP);
-    let beside = (forward.exact)(&at, Scope::ALL)?;
+    let beside = forward.exact(&at)?;
     let (y0, y1) = (miss(found, &near, data), miss(found, &beside, data));
     let (Some(y0), Some(y1)) = (y0, y1) else { return Err(Refusal::NotFound) };
     // The share of the step at which nothing is missing.
@@ -78,21 +138,20 @@ fn nowhere<T: Real>(found: &Found, data: &[f64], forward: &Forward<T>) -> Refusa
     let [one, middle, other] = [low, f64::midpoint(low, high), high].map(|x| {
         let mut at = data.to_vec();
         at[found.unknown.datum] = x;
-        (forward.rough)(&at, Scope::only([found.label.quantity])).err()
+        forward.measured(found, &at, forward.rough).err()
     });
     let alike = |why: &Option<Refusal>| why.as_ref().map(std::mem::discriminant);
     one.filter(|why| [&middle, &other].into_iter().all(|w| alike(w) == Some(std::mem::discriminant(why))))
         .unwrap_or(Refusal::NotFound)
 }
 
-/// The root to a few units of doubles, in the first place of the range where the sign changes,
-/// or beyond it too.
-pub fn search(found: &Found, data: &[f64], rough: Says<Fast>, beyond_too: bool) -> Option<f64> {
+/// The root to a few units of doubles, in the first place of the range where the sign changes.
+fn search<T: Real>(found: &Found, data: &[f64], forward: &Forward<T>) -> Option<f64> {
     let printed: f64 = found.measured.value(data);
     let miss = |x: f64| {
         let mut at = data.to_vec();
         at[found.unknown.datum] = x;
-        let road = rough(&at, Scope::only([found.label.quantity])).ok();
+        let road = forward.measured(found, &at, forward.rough).ok();
         road.and_then(|road| Some(road.get(found.label)?.value)).unwrap_or(f64::NAN) - printed
     };
     let between = |low: (f64, f64), high: (f64, f64)| {
@@ -102,7 +161,7 @@ pub fn search(found: &Found, data: &[f64], rough: Says<Fast>, beyond_too: bool) 
     let [low, high] = found.range;
     // A wrong method may come to a value beyond the range; what is published may not.
     let beyond = [(low, low - 3.0 * low.abs() / 4.0), (high, high + 3.0 * high.abs())];
-    let tried = std::iter::once((low, high)).chain(beyond.into_iter().filter(|_| beyond_too));
+    let tried = std::iter::once((low, high)).chain(beyond.into_iter().filter(|_| T::is_double()));
     for (low, high) in tried {
         let mut before: Option<(f64, f64)> = None;
         let step = (high - low) / f64::from(PLACES);
@@ -158,8 +217,8 @@ fn enclosed<T: Real>(
         let middle = f64::midpoint(low, high);
         at[unknown] = middle;
         let radius = (high - middle).max(middle - low);
-        let asked = Scope::only([found.label.quantity]);
-        let (road, doubt) = ball::watch(|| ball::spread(unknown, radius, || (forward.measured)(at, asked)));
+        let measured = || forward.measured(found, at, forward.finds);
+        let (road, doubt) = ball::watch(|| ball::spread(unknown, radius, measured));
         let Some(missed) = miss(found, &road.ok()?, at) else {
             // All over it there is nothing to measure.
             return (!doubt).then_some(f64::NAN);
@@ -191,5 +250,5 @@ fn enclosed<T: Real>(
         }
     }
     at[unknown] = root;
-    ball::spread(unknown, width, || (forward.exact)(at, Scope::ALL))
+    ball::spread(unknown, width, || forward.exact(at))
 }

@@ -384,6 +384,28 @@ pub enum Refusal {
         /// Is that so at the start?
         at_start: bool,
     },
+    /// The motion would have to pass what it does not pass.
+    Beyond(crate::scene::pose::Obstacle),
+    /// Just before an impact the bodies move as this joint, which holds them, does not allow.
+    PartedBefore {
+        /// Which joint.
+        joint: usize,
+        /// How fast it would part, m/s or rad/s.
+        speed: f64,
+        /// Which of these.
+        degree: Degree,
+    },
+    /// The cord of this tie's spring is slack where a motion ends, and is drawn tight in the one that follows.
+    SlackBetween(usize),
+    /// The contact of this tie is said to slip, and other ties share the friction that it would need to roll.
+    SlipShared(usize),
+    /// With these data the ties leave another number of freedoms than they would if two data were not equal.
+    EqualByChance {
+        /// With other data.
+        usual: usize,
+        /// With these.
+        now: usize,
+    },
     /// A body is not where the motion before this one left it.
     Moved {
         /// Which body.
@@ -417,6 +439,8 @@ pub enum Refusal {
         /// The relative gap that would have been accepted.
         allowed: f64,
     },
+    /// The motion all but misses its end, or all but gets there: the last digits of the data decide it, and the roads differ.
+    Barely,
     /// A named method did not get to its event.
     Trouble {
         /// Which method.
@@ -492,28 +516,34 @@ pub fn consistent<T: Real>(of: Coordinate, given: T, follows: T) -> Result<(), R
 /// Errors: other refusals, and those of what has nothing else to tell.
 pub fn or_motion<W>(scene: &Scene, forces: Result<Option<W>, Refusal>) -> Result<Option<W>, Refusal> {
     match forces {
-        Err(Refusal::Unsupported(_)) if scene.goes_in_phases() => Ok(None),
+        Err(Refusal::Unsupported(_) | Refusal::SlipShared(_)) if scene.goes_in_phases() => Ok(None),
         forces => forces,
     }
 }
 
-/// The sides to which guides press that hold on both, 1 or -1 each: the one combination that `fits`. The friction of a point that
-/// rubs hangs on the size of the normal force, so its sense per normal force on the side.
+/// The senses of friction per normal force of each joint, which hang on the sides to which guides press that hold on both: those in
+/// which points slide, turned about where a guide presses to its right. The one combination with which all `normal` forces, which may
+/// be open, press to that side.
 ///
 /// Errors: no combination fits, or several.
-pub fn sides(
-    guides: usize,
-    mut fits: impl FnMut(&[f64]) -> Result<bool, Refusal>,
+pub fn sides<T: Real>(
+    scene: &Scene,
+    slides: &[f64],
+    mut normal: impl FnMut(&[f64], usize) -> Result<Option<T>, Refusal>,
 ) -> Result<SmallVec<[f64; 4]>, Refusal> {
+    let on_both = |j: &usize| slides[*j] != 0.0 && matches!(scene.joints[*j].kind.rubs(), Some((_, true)));
+    let guides: SmallVec<[usize; 4]> = (0..slides.len()).filter(on_both).collect();
     let mut found = None;
-    for combination in 0..1_usize << guides {
-        let sides: SmallVec<[f64; 4]> =
-            (0..guides).map(|i| if combination >> i & 1 == 0 { 1.0 } else { -1.0 }).collect();
-        if guides == 0 || fits(&sides)? {
-            if found.is_some() {
-                return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
-            }
-            found = Some(sides);
+    for combination in 0..1_usize << guides.len() {
+        let side = |i: usize| if combination >> i & 1 == 0 { 1.0 } else { -1.0 };
+        let mut senses: SmallVec<[f64; 4]> = slides.into();
+        guides.iter().enumerate().for_each(|(i, j)| senses[*j] *= side(i));
+        let mut fits = true;
+        for (i, j) in guides.iter().enumerate() {
+            fits = fits && normal(&senses, *j)?.is_none_or(|force| force.signed(side(i)).sign() >= 0.0);
+        }
+        if fits && found.replace(senses).is_some() {
+            return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
         }
     }
     found.ok_or(Refusal::Unsupported(Unsupported::FrictionTurns))
@@ -578,24 +608,10 @@ pub enum Unsupported {
     /// what is not thrown with slip; more of a body of particles than an instant; joined bodies beside others, with ties, or with an end
     /// that belongs to a line.
     Unread,
-    /// A motion before an impact that the other joints do not allow.
-    HeldBefore,
-    /// A contact is said to slip, and the ties share the friction that it would need to roll.
-    SlipShared,
-    /// Ties that hold more or less than they would if two data were not equal.
-    EqualByChance,
     /// Bodies that slide and could stay, one on account of what another does.
     SlidesInTurn,
     /// Friction in a guide fits no side of it or both, or turns about on the way.
     FrictionTurns,
-    /// A torsion spring that is wound by half a turn or more, or a load that comes to its pulley.
-    Overrun,
-    /// Rods of a linkage come to lie in one line, from where they could go on in two ways.
-    InLine,
-    /// A point of a body would pass through the surface that pushes another one: an impact.
-    Pierces,
-    /// The cord of a spring that is slack where a motion ends and is drawn tight in the one that follows.
-    SlackBetween,
 }
 
 /// What one road says of one quantity.
@@ -783,6 +799,10 @@ impl<T: Real> Road<T> {
         let held = Vec::with_capacity(if asked.held { 4 } else { 0 });
         Self { said, open: Vec::new(), course: None, held, velocities: Vec::new(), next: None }
     }
+    /// Notes that these quantities hang on a reaction that the ties share in a way that statics leaves open.
+    pub fn leaves_open(&mut self, of: Owner, quantities: &[Quantity]) {
+        self.open.extend(quantities.iter().map(|quantity| Label { quantity: *quantity, of }));
+    }
     /// The road without what is not told of the scene.
     pub fn telling(mut self, scene: &Scene) -> Self {
         self.said.retain(|said| scene.tells(said.label));
@@ -905,7 +925,7 @@ impl<T: Real> Road<T> {
                 && !(road.course.as_ref().is_some_and(|c| c.reached)
                     && pulls.is_none_or(|said| said.value.is_zero()))
             {
-                return Err(Refusal::Unsupported(Unsupported::SlackBetween));
+                return Err(Refusal::SlackBetween(tie));
             }
         }
         Ok(Some(road))

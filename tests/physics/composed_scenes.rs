@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use slipstick::bank::load;
 use slipstick::scene as program;
 use slipstick::solve::agree::{prove, solve};
-use slipstick::solve::outcome::{Entry, Refusal, Solved, Unsupported};
+use slipstick::solve::outcome::{Entry, Refusal, Solved};
 use std::collections::BTreeMap;
 
 /// What became of one scene.
@@ -68,10 +68,12 @@ fn judge(s: composed::Scene) -> Result<Outcome, String> {
                 _ => Err("its start is said to leave a velocity open".into()),
             };
         }
-        Err(Refusal::Unsupported(Unsupported::EqualByChance)) if !chance => {
+        Err(Refusal::EqualByChance { .. }) if !chance => {
             return Err("data are said to be equal by chance".into());
         }
-        Err(Refusal::Unsupported(what)) => return Ok(Outcome::Refused(format!("{what:?}"))),
+        Err(what @ (Refusal::Unsupported(_) | Refusal::SlipShared(_) | Refusal::EqualByChance { .. })) => {
+            return Ok(Outcome::Refused(format!("{what:?}")));
+        }
         Err(other) => return Err(format!("{other:?}")),
     };
     prove(&case.scene, &data, &mut solved);

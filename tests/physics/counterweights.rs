@@ -2,8 +2,10 @@
 //! rod, `(I + M s'^2) q'^2 / 2` is what the weight of the rod gives less what holds the load back. The formulas know no poses.
 use crate::moving_lines::{G, near, read, told};
 use slipstick::scene::ask::{Label, Owner, Quantity};
+use slipstick::scene::pose::Obstacle;
 use slipstick::solve::agree;
-use slipstick::solve::outcome::{Refusal, Unsupported};
+use slipstick::solve::ladder::{self, Wish};
+use slipstick::solve::outcome::{Entry, Refusal, Solved};
 
 const DOOR: f64 = 12.0;
 const LOAD: f64 = 2.0;
@@ -104,8 +106,11 @@ fn a_load_that_comes_to_its_pulley_beyond_the_end() {
     let told = |placed: &str, end: &str| {
         let rope = "ties: door.B, over: [-0.5 m, 1 m], to: load";
         let (bodies, joints, _) = scene(placed, rope, "along: vertical, through: [-0.5 m, 0 m]");
-        let swings =
-            format!("      start: {{door: {{angle: 80 deg, spin: -1 rad/s}}}}\n      end: {{{end}}}");
+        let (spin, end) = match end {
+            "equilibrium" => ("", end.to_owned()),
+            _ => (", spin: -1 rad/s", format!("{{{end}}}")),
+        };
+        let swings = format!("      start: {{door: {{angle: 80 deg{spin}}}}}\n      end: {end}");
         let bank = read(&bodies, &joints, &swings).unwrap();
         agree::solve(&bank.problems[0].cases[0].scene, &[G])
     };
@@ -116,7 +121,33 @@ fn a_load_that_comes_to_its_pulley_beyond_the_end() {
     let (near, far) = (omega(", placed: [-0.5 m, 0.6 m]"), omega(", placed: [-0.5 m, -3 m]"));
     assert!((near / far - 1.0).abs() < 1e-14 && near > 0.0, "{near} {far}");
     let refused = told(", placed: [-0.5 m, 0.6 m]", "angle: {of: door, reaches: 10 deg}").unwrap_err();
-    assert!(matches!(refused, Refusal::Unsupported(Unsupported::Overrun)), "{refused:?}");
+    assert!(matches!(refused, Refusal::Beyond(Obstacle::Pulley(1))), "{refused:?}");
+    let refused = told(", placed: [-0.5 m, 0.6 m]", "equilibrium").unwrap_err();
+    assert!(matches!(refused, Refusal::Beyond(Obstacle::Pulley(1))), "{refused:?}");
+}
+
+/// Where the load would come to its pulley long after the end, on a shaft that rubs, nothing has to be looked for there: it took 38,361
+/// places. The way after the time takes the time,.
+#[test]
+fn a_time_on_a_rough_shaft_is_looked_for_no_farther_than_it_lasts() {
+    let told = |mu: &str, end: &str| {
+        let rope = "ties: door.B, over: [[-0.2 m, 1.5 m], [-0.3 m, 1.4 m]], to: load";
+        let shaft = format!("along: vertical, through: [-0.5 m, 0 m]{mu}");
+        let (bodies, joints, _) = scene(", placed: [-0.5 m, 0.2 m]", rope, &shaft);
+        let swings = format!("      start: {{door: {{angle: {FROM} deg}}}}\n      end: {{{end}}}");
+        let bank = read(&bodies, &joints, &swings).unwrap();
+        ladder::solve(&bank.problems[0].cases[0].scene, &[G], &Wish::default()).unwrap()
+    };
+    let value = |solved: &Solved, quantity: Quantity, of: Owner| {
+        solved.get(Label { quantity, of }).map(Entry::value).unwrap()
+    };
+    for mu in ["", ", mu_k: 0.2"] {
+        let (solved, taken) = told(mu, "time: {of: door, is: 0.3 s}");
+        assert!(taken.count.evaluations < 10_000, "{}", taken.count.evaluations);
+        let phi = value(&solved, Quantity::Phi, Owner::Body(0)).to_degrees();
+        let (back, _) = told(mu, &format!("angle: {{of: door, reaches: {} deg}}", FROM - phi));
+        assert!((value(&back, Quantity::T, Owner::Scene) - 0.3).abs() < 1e-12, "{phi}");
+    }
 }
 
 /// Where it hangs has to be said, and a cord is no tie within one body.

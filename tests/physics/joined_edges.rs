@@ -3,10 +3,11 @@ use crate::joined::{CRATE, STRUCK, all_near, constants, read, solved, told, valu
 use slipstick::bank::{labels, load};
 use slipstick::inspect::sentences;
 use slipstick::problem::maker::Maker;
+use slipstick::scene::pose::Obstacle;
 use slipstick::scene::pose::{self, Layout};
 use slipstick::scene::{JointKind, Numbers, Spot, Straight};
 use slipstick::solve::agree;
-use slipstick::solve::outcome::{CheckKind, Refusal, Unsupported};
+use slipstick::solve::outcome::{CheckKind, Refusal};
 use std::path::Path;
 
 /// The stable equilibrium of one freedom and the square of its frequency, from energy and inertia alone: the minimum by trisection, the
@@ -215,7 +216,7 @@ end: {end}
         let bank = constants(text);
         agree::solve(&bank.problems[0].cases[0].scene, &[9.81]).err()
     };
-    let overrun = Some(Refusal::Unsupported(Unsupported::Overrun));
+    let overrun = Some(Refusal::Beyond(Obstacle::Wound(0)));
     for end in [
         "{angle: {of: rod, reaches: 180 deg}}",
         "{angle: {of: rod, reaches: 200 deg}}",
@@ -253,7 +254,7 @@ end: {angle: {of: crank, reaches: -10 deg}}
 ";
     let bank = constants(rods);
     let refused = agree::solve(&bank.problems[0].cases[0].scene, &[9.81]);
-    assert!(matches!(refused, Err(Refusal::Unsupported(Unsupported::InLine))), "{refused:?}");
+    assert!(matches!(refused, Err(Refusal::Beyond(Obstacle::InLine(1, 2)))), "{refused:?}");
     // Before that it moves as its rods do: m g falls, and all points of the coupler move alike.
     let found = told(&rods.replace("-10 deg", "20 deg"), &["crank.omega", "coupler.omega"]);
     let fallen = 0.3 * (f64::to_radians(60.0).sin() - f64::to_radians(20.0).sin());

@@ -3,7 +3,7 @@
 use crate::joined::{all_near, constants, solved, told};
 use slipstick::problem::maker::Maker;
 use slipstick::solve::agree;
-use slipstick::solve::outcome::CheckKind;
+use slipstick::solve::outcome::{CheckKind, Refusal};
 
 const ROD: &str = "
 bodies: {bar: {mass: 4 kg, shape: {rod: 1 m}, moves: in the plane, angle: from right}}
@@ -65,6 +65,38 @@ fn a_speed_in_a_short_swing_is_found() {
     // What has no such speed does not get there, on both roads.
     let fast = stiff.replace("0.3 rad/s", "3 rad/s");
     assert!(solved(&fast).1.checks.iter().any(|c| c.kind == CheckKind::Reaches && !c.ok));
+}
+
+/// A buffer takes all but the last digits of the speed that is asked off a bar: whether it has it there is not known, and which of the two
+/// methods is right is no question. One road found an end where the other found none.
+#[test]
+fn a_speed_that_is_only_just_come_down_to() {
+    let solve = |share: f64| {
+        let least = (36.0_f64 - 2000.0 * 0.08 * 0.08 * 1.5).sqrt() * (1.0 + share);
+        let bank = constants(&format!(
+            "
+bodies: {{bar: {{mass: 2 kg, shape: {{rod: 1 m}}, moves: in a horizontal plane, angle: from right}}}}
+joints: {{O: {{pins: bar.A}}}}
+forces: [spring: {{on: bar.B, to: [0 m, 1.02 m], stiffness: 2000 N/m, natural length: 0.1 m, only: pushes}}]
+start: {{bar: {{angle: 0 deg, spin: 6 rad/s}}}}
+end: {{speed: {{of: bar, reaches: {least} rad/s}}}}
+"
+        ));
+        agree::solve(&bank.problems[0].cases[0].scene, &[9.81])
+    };
+    for power in 3..=13 {
+        for share in [1.0, -1.0].map(|sign| sign * 10.0_f64.powi(-power)) {
+            match solve(share) {
+                Ok(solved) => assert_eq!(solved.all_hold(), share > 0.0, "{share}"),
+                Err(Refusal::Barely) => assert!(power > 9, "{share}"),
+                // Data that are constants have no condition number.
+                Err(Refusal::Disagree { eom, energy, .. }) => {
+                    assert!(power > 6 && (eom - energy).abs() < 1e-6 * eom.abs(), "{share} {eom} {energy}");
+                }
+                Err(other) => panic!("{share} {other:?}"),
+            }
+        }
+    }
 }
 
 /// A stiff buffer that is met over 0.016 rad alone throws a bar back.

@@ -7,9 +7,10 @@ use crate::joined_lot::{
 use crate::support;
 use rayon::prelude::*;
 use slipstick::bank::load;
+use slipstick::scene::pose::Obstacle;
 use slipstick::scene::{Owner, Quantity};
 use slipstick::solve::agree::{prove, solve};
-use slipstick::solve::outcome::{Check, CheckKind, Refusal, Solved, Unsupported};
+use slipstick::solve::outcome::{Check, CheckKind, Refusal, Solved};
 use std::collections::BTreeMap;
 
 /// A condition on velocities, `row . v = 0`, as it stands at a place; `right` is what `row . a` is.
@@ -825,7 +826,7 @@ fn judge(m: &Machine, text: &str) -> Result<Outcome, String> {
         Err(refusal @ (Refusal::Disagree { .. } | Refusal::Inadmissible(_))) => {
             return Err(format!("{refusal:?}"));
         }
-        Err(Refusal::Unsupported(Unsupported::Overrun)) if matches!(&verdict, Verdict::Ends(end) if !end.springs.acted.is_empty() && end.springs.wound < 3.1) =>
+        Err(Refusal::Beyond(Obstacle::Wound(_))) if matches!(&verdict, Verdict::Ends(end) if !end.springs.acted.is_empty() && end.springs.wound < 3.1) =>
         {
             return Err("no torsion spring comes near half a turn".into());
         }

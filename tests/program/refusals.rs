@@ -1116,7 +1116,7 @@ start: {{crank: {{angle: {start} deg}}}}
 end: {end}"
         )
     };
-    let folds = "two hinged rods come to lie in one line on the way, or a rod lies across its guide, or the point in a slot comes to the pin of its arm: from there the linkage can go on in two ways, and it is not followed; let the motion end before";
+    let folds = "the point in the slot of `arm` comes to the pin of `arm` on the way: from there the linkage can go on in two ways, and it is not followed; let the motion end before";
     let hanging = |cart: &str, block: &str| {
         format!(
             "bodies:

@@ -295,10 +295,8 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Run<N, F> {
         self.stages[0] = self.slope;
         for i in 1..S {
             let mut place = y;
-            for j in 0..i {
-                if t.a[i][j] != 0.0 {
-                    axpy(&mut place, h * t.a[i][j], &self.stages[j]);
-                }
+            for (a, stage) in t.a[i].iter().zip(&self.stages).filter(|(a, _)| **a != 0.0) {
+                axpy(&mut place, h * a, stage);
             }
             self.stages[i] = self.evaluate(self.x.value + t.c[i] * h, &place);
         }
@@ -607,7 +605,7 @@ mod tests {
         for i in 0..S {
             let row: f64 = (0..i).map(|j| t.a[i][j]).sum();
             assert!((row - t.c[i]).abs() < 1e-14, "stage {i}: {row} against {}", t.c[i]);
-            assert!((i..S).all(|j| t.a[i][j] == 0.0), "stage {i} is explicit");
+            assert_eq!(t.a[i].len(), i, "stage {i} is explicit");
         }
         for power in 0..order {
             let mut moment = 0.0;

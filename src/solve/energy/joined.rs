@@ -18,13 +18,13 @@ use crate::num::half::Half;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Jet, Real, ball, root};
-use crate::scene::pose::{self, Layout, Pose};
+use crate::scene::pose::{self, Layout, Obstacle, Pose};
 use crate::scene::{
     Acts, End, Joint, JointKind, Num, Numbers, Owner, Place, Quantity, Rest, Scene, Spot, Strut, StrutEnd,
 };
 use crate::solve::energy::pendulum::Pendulum;
 use crate::solve::method::Method;
-use crate::solve::outcome::{self, Course, Refusal, Road, Scope, Unsupported};
+use crate::solve::outcome::{self, Course, Refusal, Road, Scope};
 use smallvec::{SmallVec, smallvec};
 use std::cell::{Cell, RefCell};
 use std::ops::{Range, RangeInclusive};
@@ -393,7 +393,7 @@ impl<'a, T: Real> Account<'a, T> {
     }
 
     /// [`Layout::overruns`].
-    fn overruns(&self, far: (T, T)) -> Option<T> {
+    fn overruns(&self, far: (T, T)) -> Option<(T, Obstacle)> {
         ball::unwatched(|| self.layout.overruns(&self.relaxed, self.sense, far))
     }
     /// Does a spring of this length press, or pull, where it can do but one of them?
@@ -444,24 +444,10 @@ impl<'a, T: Real> Account<'a, T> {
 
     /// Notes to which side guides push that hold on both and rub, by the normal forces that result.
     fn press(&mut self, normal: &Presses<Self, T>) -> Result<(), Refusal> {
-        self.rubs = self.slides.clone();
-        let rubs_on_both = |j: &usize| {
-            self.slides[*j] != 0.0 && matches!(self.scene.joints[*j].kind.rubs(), Some((_, true)))
-        };
-        let both: SmallVec<[usize; 4]> = (0..self.slides.len()).filter(rubs_on_both).collect();
-        let turn = |account: &mut Self, sides: &[f64]| {
-            both.iter().zip(sides).for_each(|(j, side)| account.rubs[*j] = account.slides[*j] * side);
-        };
-        let sides = outcome::sides(both.len(), |sides| {
-            turn(self, sides);
-            for (joint, side) in both.iter().zip(sides) {
-                if normal(self, *joint)?.is_some_and(|force| force.signed(*side).sign() < 0.0) {
-                    return Ok(false);
-                }
-            }
-            Ok(true)
+        self.rubs = outcome::sides(self.scene, &self.slides.clone(), |rubs, joint| {
+            self.rubs = rubs.into();
+            normal(self, joint)
         })?;
-        turn(self, &sides);
         Ok(())
     }
 
@@ -752,15 +738,13 @@ impl<'a, T: Real> Account<'a, T> {
         let scene = self.scene;
         let from = spin.square().scale2(-1);
         let mut far = self.layout.horizon();
-        if let End::Angle(_, angle) = scene.end {
-            let start = scene.lead().and_then(|l| scene.planar(l)?.start_deg);
-            let apart = self.n.get(angle) - start.map_or_else(T::zero, |s| self.n.get(s));
+        if let Some(apart) = self.layout.to_end_deg() {
             far = (apart * T::constant(Dd::PI / Dd::new(180.0))).signed(self.sense);
         }
         let limit = ball::unwatched(|| self.overruns((far + T::of(STEP), T::of(STEP))));
-        let limit = limit.filter(|limit| limit.at_most(far));
+        let limit = limit.filter(|(limit, _)| limit.at_most(far));
         // Short of half a turn of a torsion spring, beside which its moment has two signs, and of a pulley.
-        far = limit.map_or(far, |limit| limit * T::of(1.0 - 1e-12));
+        far = limit.map_or(far, |(limit, _)| limit * T::of(1.0 - 1e-12));
         let begin = self.poses(T::zero())?;
         let backward = far.sign() < 0.0 || !ball::unwatched(|| self.presses(&begin, from))?;
         let from = (&begin, from);
@@ -770,8 +754,13 @@ impl<'a, T: Real> Account<'a, T> {
             Some(_) => found.is_none() && self.turning(far, from)?.is_none(),
             None => false,
         };
-        if overruns && !backward && !self.proves() && self.stays_in_touch(far, from)? {
-            return Err(Refusal::Unsupported(Unsupported::Overrun));
+        if let Some((_, obstacle)) = limit
+            && overruns
+            && !backward
+            && !self.proves()
+            && self.stays_in_touch(far, from)?
+        {
+            return Err(Refusal::Beyond(obstacle));
         }
         // What leaves another surface on the way does not get there.
         let found = match found {

@@ -19,8 +19,8 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Real, ball, trig};
 use crate::scene::{
-    Attach, Coordinate, Degree, End, Far, Found, GivenForce, Heading, Label, Law, Numbers, Owner, Quantity,
-    RotaryInertia, Scene, Span, SpringTie, Tie, speed,
+    Attach, Coordinate, Cord, Degree, End, Far, GivenForce, Label, Law, Numbers, Owner, Quantity, Scene,
+    Span, SpringTie, Tie, speed,
 };
 use crate::solve::energy::account::{Account, Store, Stores};
 use crate::solve::energy::balance::{PerTie, Power, Reactions};
@@ -28,7 +28,7 @@ use crate::solve::energy::onset::Onset;
 use crate::solve::energy::phases::Phases;
 use crate::solve::energy::quadrature::{Sum, Summed};
 use crate::solve::energy::speeds::Mode;
-use crate::solve::found::{self, Forward};
+use crate::solve::found;
 use crate::solve::method::Method;
 use crate::solve::outcome;
 use crate::solve::outcome::{Course, Refusal, Road, Said, Scope};
@@ -44,48 +44,13 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
 
 /// The same without the time of joined bodies if that is not asked: it is a quadrature of its own. Errors: those of [`road`].
 pub fn road_of<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
-    match &scene.formulas.found {
-        Some(found) => {
-            let forward = Forward {
-                rough: &|data, asked| measured(scene, found, data, asked),
-                measured: &|data, asked| measured(scene, found, data, asked),
-                exact: &|data, asked| answered(scene, data, asked),
-            };
-            found::road(found, data, &forward)
-        }
-        None => answered(scene, data, asked),
-    }
+    found::road_of(scene, data, asked, (of_kind, of_kind))
 }
 
 /// The datum that is found from a measurement, to a few units of doubles.
 #[cfg(feature = "program")]
 pub fn datum_found(scene: &Scene, data: &[f64]) -> Option<f64> {
-    let found = scene.formulas.found.as_ref()?;
-    found::search(found, data, &|data, asked| measured(scene, found, data, asked), false)
-}
-
-/// What was measured, with all data given: of an expression that is everything.
-fn measured<T: Real>(scene: &Scene, found: &Found, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
-    if found.label.quantity == Quantity::Value {
-        answered(scene, data, Scope::ALL)
-    } else {
-        alone(scene, data, asked)
-    }
-}
-
-/// [`road_of`] with all data given.
-fn answered<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
-    alone(scene, data, asked)?.answering(scene, data, &another)
-}
-
-/// [`road`] without what is asked by formulas.
-fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
-    Ok(of_kind(scene, Numbers::new(scene, data), asked)?.telling(scene))
-}
-
-/// All of another scene, with what it takes over.
-fn another<T: Real>(scene: &Scene, data: &[f64], taken: &[T]) -> Result<Road<T>, Refusal> {
-    Ok(of_kind(scene, Numbers::after(scene, data, taken), Scope::ALL)?.telling(scene))
+    found::datum(scene, data, (of_kind, of_kind))
 }
 
 /// Everything that it finds, by the kind of the scene.
@@ -137,7 +102,7 @@ pub fn road_by<T: Real>(
         };
     }
     let (road, count) = alone_by(scene, data, points)?;
-    Ok((road.telling(scene).answering(scene, data, &another)?, count))
+    Ok((found::answering(road.telling(scene), scene, data, of_kind)?, count))
 }
 
 /// [`road_by`] without what is asked by formulas.
@@ -507,7 +472,7 @@ impl<'a, T: Real> Ledger<'a, T> {
 
         let turning = account.turning();
         let limit = turning.unwrap_or_else(|| T::of(f64::INFINITY));
-        let wrong_way = self.goes_wrong(sense);
+        let wrong_way = self.scene.goes_wrong(sense);
         let s = self.asked(&account, turning, sense);
         let arrives = |s: T| s.not_negative() && s.at_most(limit);
         // The turning point is where it is: no comparison with itself.
@@ -541,15 +506,6 @@ impl<'a, T: Real> Ledger<'a, T> {
     /// Sense in which the centre of the ending body goes in this mode, taken in this sense.
     fn way(&self, mode: &Mode<T>, sense: f64) -> f64 {
         if self.counts_turn() { sense * mode.v[self.end.body].sign() } else { sense }
-    }
-
-    /// Is it declared to go the other way?
-    fn goes_wrong(&self, sense: f64) -> bool {
-        match self.scene.heading {
-            Some(Heading::Forward) => sense < 0.0,
-            Some(Heading::Back) => sense > 0.0,
-            None => false,
-        }
     }
 
     /// Nothing sets off.
@@ -590,7 +546,7 @@ impl<'a, T: Real> Ledger<'a, T> {
     /// A motion in phases.
     fn through_phases(mut self) -> Road<T> {
         let Some(phases) = &self.phases else { return self.road };
-        let reached = phases.ended && !self.goes_wrong(phases.sense);
+        let reached = phases.ended && !self.scene.goes_wrong(phases.sense);
         let [first, last] = phases.ends();
         let at = if reached { last } else { first };
         let own = at.of(self.end).sign();
@@ -692,7 +648,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         };
         let held = if along { energy0 } else { doubled * u0 };
         let least = held + gained(share, grown);
-        let declared = !self.goes_wrong(sense);
+        let declared = !self.scene.goes_wrong(sense);
         let sets_off = u0.sign() > 0.0 || first.not_negative();
         let onward = least.sign() > 0.0 && sets_off;
         let momentum = held + gained(whole, whole);
@@ -865,7 +821,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             if let Tie::Roll { body, .. } = tie {
                 if held.iter().any(|held| held.is_open(t)) {
                     if self.scene.bodies[*body].line.is_some_and(|l| l.surface) {
-                        self.say_open(Quantity::MuRequired, Owner::Body(*body));
+                        self.road.leaves_open(Owner::Body(*body), &[Quantity::MuRequired]);
                     }
                     continue;
                 }
@@ -917,11 +873,6 @@ impl<'a, T: Real> Ledger<'a, T> {
         }
     }
 
-    /// Says that a quantity hangs on a reaction that no balance of powers tells from the others.
-    fn say_open(&mut self, quantity: Quantity, of: Owner) {
-        self.road.open.push(Label { quantity, of });
-    }
-
     /// The force of a fixed axle, by what all forces would do if it gave way a little, to the right or up.
     fn axle(&mut self, body: usize, held: &Reactions<T>, pulls: &[T]) {
         let Some(cords) = self.scene.axle_pulls(body) else { return };
@@ -942,9 +893,8 @@ impl<'a, T: Real> Ledger<'a, T> {
                 }
                 Far::Spring { .. } => self.pull_of(t, pulls),
                 Far::Body(_) | Far::Fixed if held.is_open(t) => {
-                    for q in [Quantity::PinX, Quantity::PinY, Quantity::PinForce, Quantity::PinAngle] {
-                        self.say_open(q, of);
-                    }
+                    let open = [Quantity::PinX, Quantity::PinY, Quantity::PinForce, Quantity::PinAngle];
+                    self.road.leaves_open(of, &open);
                     return;
                 }
                 Far::Body(_) | Far::Fixed => held[t],
@@ -979,9 +929,9 @@ impl<'a, T: Real> Ledger<'a, T> {
                 Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. }
                     if held.is_open(t) =>
                 {
-                    self.say_open(Quantity::Friction, Owner::Body(*body));
+                    self.road.leaves_open(Owner::Body(*body), &[Quantity::Friction]);
                 }
-                Tie::Cord(c) if held.is_open(t) => self.say_open(c.force(), Owner::Tie(t)),
+                Tie::Cord(c) if held.is_open(t) => self.road.leaves_open(Owner::Tie(t), &[c.force()]),
                 Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => {
                     self.say(Quantity::Friction, Owner::Body(*body), held[t].signed(self.up(*body)));
                 }
@@ -1140,46 +1090,30 @@ impl<'a, T: Real> Ledger<'a, T> {
     /// Without friction the mass centre takes the power `X v`, the rotation what is left of the whole:
     /// `k^2 = c^2 (W' - X)/X` with `v = c omega`. Infinite where friction points up at any k.
     fn bound_of_gyration(&mut self) {
-        let [body] = self.scene.bodies.as_slice() else { return };
-        let given = !self.scene.couples.is_empty()
-            || !self.scene.growths.is_empty()
-            || self.scene.ties.iter().any(|t| t.tilted().is_some());
-        if !matches!(body.inertia, Some(RotaryInertia::Gyration(_))) || given {
+        let Some((_, radius)) = self.scene.pulled_wheel().filter(|_| !self.mode.v[0].is_zero()) else {
             return;
-        }
-        let along = Coordinate { body: 0, degree: Degree::Along };
-        let mut radius = None;
-        let numbers = self.n.bodies[0];
+        };
+        let (numbers, up) = (self.n.bodies[0], self.up(0));
         let mut centre = -(numbers.mass * self.n.gravity * numbers.climb);
+        let mut wound = false;
         for tie in &self.scene.ties {
-            match tie {
-                Tie::Roll { radius_m, .. } => radius = Some(self.n.get(*radius_m)),
-                Tie::Cord(c) => {
-                    let Far::Pull(p) = c.to else { return };
-                    let p = self.n.massive(p);
-                    centre = if c.from.forward { centre + p } else { centre - p };
-                }
-                Tie::Slip { .. } | Tie::Slide { .. } => return,
+            if let Tie::Cord(Cord { from, to: Far::Pull(p), .. }) = tie {
+                let p = self.n.massive(*p);
+                centre = if from.forward { centre + p } else { centre - p };
+                wound |= from.attach != Attach::Centre;
             }
         }
-        let pulled = self.scene.ties.iter().any(|t| matches!(t, Tie::Cord(_)));
-        let (Some(c), true, false) = (radius, pulled, self.mode.of(along).is_zero()) else { return };
-        let up = self.up(0);
         let none: PerTie<T> = smallvec![T::zero(); self.scene.ties.len()];
-        let whole = balance::powers(self.scene, &self.n, &self.mode, &none)
-            .into_iter()
-            .fold(T::zero(), |sum, p| sum + p.power)
-            / self.mode.of(along);
+        let powers = balance::powers(self.scene, &self.n, &self.mode, &none);
+        let whole = powers.into_iter().fold(T::zero(), |sum, p| sum + p.power) / self.mode.v[0];
         let (centre, whole) = (centre.signed(up), whole.signed(up));
         // A pull at the centre turns nothing: so it is, whatever rounding leaves of the difference.
-        let wound =
-            self.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if c.from.attach != Attach::Centre));
         let rotation = if wound { whole.balance(-centre) } else { T::zero() };
-        if if centre.sign() > 0.0 { rotation.sign() <= 0.0 } else { rotation.sign() < 0.0 } {
-            return;
-        }
-        let bound =
-            if centre.sign() > 0.0 { (c.square() * rotation / centre).root() } else { T::of(f64::INFINITY) };
+        let bound = match centre.sign() > 0.0 {
+            true if rotation.sign() > 0.0 => (self.n.get(radius).square() * rotation / centre).root(),
+            false if rotation.sign() >= 0.0 => T::of(f64::INFINITY),
+            _ => return,
+        };
         self.say(Quantity::KBound, Owner::Body(0), bound);
     }
 }

@@ -299,7 +299,7 @@ impl<T: Real> Follower<'_, '_, T> {
             if !held.is_open(t) {
                 needs[t] = Some(held[t].abs());
             } else if rub.radius_m.is_some() {
-                return Err(Refusal::Unsupported(Unsupported::SlipShared));
+                return Err(Refusal::SlipShared(t));
             } else {
                 holds[t] = false;
                 shared.push((t, rub));
@@ -372,7 +372,7 @@ impl<T: Real> Follower<'_, '_, T> {
                 let rubbed = self.kinetic[t].take();
                 let held = self.reactions(&self.rate());
                 if held.is_open(t) {
-                    return Err(Refusal::Unsupported(Unsupported::SlipShared));
+                    return Err(Refusal::SlipShared(t));
                 }
                 rolled.push(Rolled { tie: t, friction: held[t], rate: None });
                 self.kinetic[t] = rubbed;

@@ -229,7 +229,7 @@ pub fn needs<T: Real>(
                 needs[t] = Some(under(pulls, |k| response.reaction(t, k)).abs());
             }
             Some(rub) if rub.radius_m.is_none() => shared.push((t, rub)),
-            Some(_) => return Err(Refusal::Unsupported(Unsupported::SlipShared)),
+            Some(_) => return Err(Refusal::SlipShared(t)),
             None => {}
         }
     }

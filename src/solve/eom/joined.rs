@@ -285,10 +285,6 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
     motion.set_off(&state)?.to_its_end(teller)
 }
 
-/// Degrees per radian.
-fn degrees<T: Real>() -> T {
-    T::constant(Dd::new(180.0) / Dd::PI)
-}
 /// Step in which places on the way are looked for, radians.
 fn look<T: Real>() -> T {
     T::of(STRIDE / 16.0)
@@ -316,27 +312,14 @@ fn sliding<T: Real>(
 /// right, at this square of the rate. Errors: which side it presses to is open.
 fn rubbing<T: Real>(
     mechanism: &Mechanism<T>,
-    slides: &SmallVec<[f64; 4]>,
+    slides: &[f64],
     square: T,
     respond: &Responds<T>,
 ) -> Result<SmallVec<[f64; 4]>, Refusal> {
-    let rubs_on_both =
-        |j: &usize| slides[*j] != 0.0 && matches!(mechanism.scene.joints[*j].kind.rubs(), Some((_, true)));
-    let both: SmallVec<[usize; 4]> = (0..slides.len()).filter(rubs_on_both).collect();
-    let turned = |sides: &[f64]| {
-        let mut all = slides.clone();
-        both.iter().zip(sides).for_each(|(j, side)| all[*j] *= side);
-        all
-    };
-    let sides = outcome::sides(both.len(), |sides| {
-        let response = respond(&turned(sides))?;
-        let fits = |(j, side): (&usize, &f64)| {
-            let force = mechanism.reaction(&response, *j, square);
-            force.is_none_or(|force| force[0].signed(*side).sign() >= 0.0)
-        };
-        Ok(both.iter().zip(sides).all(fits))
-    })?;
-    Ok(turned(&sides))
+    outcome::sides(mechanism.scene, slides, |rubs, joint| {
+        let force = mechanism.reaction(&respond(rubs)?, joint, square);
+        Ok(force.map(|force| force[0]))
+    })
 }
 
 impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
@@ -521,8 +504,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 width = width * T::of(fit.clamp(0.5, 2.0));
             } else {
                 if left.is_none() || width.size() <= least {
-                    if self.mechanism.in_line(self.angle(self.way(next).0)) {
-                        return Err(Refusal::Unsupported(Unsupported::InLine));
+                    if let Some(folds) = self.mechanism.in_line(self.angle(self.way(next).0)) {
+                        return Err(Refusal::Beyond(folds));
                     }
                     let value = panel.last.half_square.f64();
                     return Err(Unsettled { value, gap: f64::INFINITY }.into());
@@ -551,6 +534,13 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             return pin::pendulum_stop(pendulum, far, level);
         }
         let mut found: Option<Stop<T>> = None;
+        // Of a body on a pin it is told how far it would get.
+        let until = match self.mechanism.scene.end {
+            End::Time(_, t) if timely && self.mechanism.scene.pinned().is_none() => {
+                Some(self.mechanism.n.get(t))
+            }
+            _ => None,
+        };
         let (mut time, mut passes) = (Some(T::zero()), Passes::NONE);
         let start = if self.is_rubbed() { T::of(1.0) } else { self.from.factor };
         passes.see(T::leading(|| (self.from.half_square * start).f64()));
@@ -581,6 +571,13 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 None => (panel.uneven <= 1.0).then(|| self.fine.rule.mean(&panel.times)),
             };
             time = time.zip(part).map(|(sum, part)| sum + plant!("eom: time of joined bodies", part));
+            // What lies beyond the time that is asked may be rough.
+            if let (None, Some(now), Some(until)) = (&found, time, until)
+                && until.below(now)
+            {
+                let (way, half_square) = (self.way(panel.ends.1).0, panel.last.half_square);
+                found = Some(Stop { way, half_square, why: Why::Far, time, slowest: 1.0 });
+            }
             Ok(found.is_some())
         };
         let end = self.over((T::zero(), self.variable(far)), self.from, timely, &mut visit)?;
@@ -835,12 +832,11 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     /// the rate that ends the motion.
     fn wanted(&self) -> ((Option<T>, T), T, Option<T>) {
         let (scene, n) = (self.mechanism.scene, self.mechanism.n);
+        if let Some(apart) = self.mechanism.to_end_deg() {
+            let apart = apart.signed(self.sense);
+            return ((Some(apart), T::zero()), apart / trig::degrees_per_radian(), None);
+        }
         match scene.end {
-            End::Angle(_, angle) => {
-                let start = scene.lead().and_then(|l| scene.planar(l)?.start_deg);
-                let apart = (n.get(angle) - start.map_or_else(T::zero, |s| n.get(s))).signed(self.sense);
-                ((Some(apart), T::zero()), apart / degrees(), None)
-            }
             End::Speed(_, w) => {
                 let w = n.get(w) / self.mechanism.ratio();
                 let begins = self.from.half_square.scale2(1).root();
@@ -895,9 +891,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     fn to_its_end(&self, teller: &mut Teller<'_, '_, T>) -> Result<(), Refusal> {
         let (scene, n) = (self.mechanism.scene, self.mechanism.n);
         let ((asked, begins), mut far, level) = self.wanted();
-        let limit =
-            self.mechanism.overruns(self.sense, (far + look(), look())).filter(|limit| limit.at_most(far));
-        far = limit.map_or(far, |limit| limit * T::of(SHORT));
+        let limit = self.mechanism.overruns(self.sense, (far + look(), look()));
+        let limit = limit.filter(|(limit, _)| limit.at_most(far));
+        far = limit.map_or(far, |(limit, _)| limit * T::of(SHORT));
         let (first, begin) = self.at(T::zero())?;
         let course = |farthest: T, slowest: f64, reached: bool| {
             Some(Course { asked, begins, farthest, slowest, ..Course::moving(self.sense, reached) })
@@ -914,8 +910,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let by = teller.by.filter(|_| STEPS && !backward);
         let mut stop = self.followed(teller, (far, level), by, &mut least)?;
         let mut most = None;
-        let overrun =
-            || if limit.is_some() { Err(Refusal::Unsupported(Unsupported::Overrun)) } else { Ok(()) };
+        let overrun = || limit.map_or(Ok(()), |(_, obstacle)| Err(Refusal::Beyond(obstacle)));
         if stop.why == Why::Far && !matches!(scene.end, End::Time(..)) {
             overrun()?;
         }
@@ -973,12 +968,14 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let endless = T::of(f64::INFINITY);
         let margins = teller.pinned.is_some() && teller.asked.held;
         match self.mechanism.scene.end {
-            End::Angle(..) if reached && margins => self.limit(stop).map_or(endless, |way| way * degrees()),
+            End::Angle(..) if reached && margins => {
+                self.limit(stop).map_or(endless, |way| way * trig::degrees_per_radian())
+            }
             End::Speed(..) if margins => self.fastest(stop),
             End::Time(..) if teller.pinned.is_some() => most.unwrap_or(endless),
             End::Angle(..) if reached => endless,
-            End::Angle(..) => stop.way * degrees(),
-            End::TurningPoint(_) if stop.why == Why::Rest => stop.way * degrees(),
+            End::Angle(..) => stop.way * trig::degrees_per_radian(),
+            End::TurningPoint(_) if stop.why == Why::Rest => stop.way * trig::degrees_per_radian(),
             _ => endless,
         }
     }
@@ -1010,8 +1007,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         by: Option<Steps>,
     ) -> Result<(), Refusal> {
         let scene = self.mechanism.scene;
-        if LOOKED_THROUGH && self.mechanism.pierces(self.sense, (stop.way, look())) {
-            return Err(Refusal::Unsupported(Unsupported::Pierces));
+        if LOOKED_THROUGH && let Some(strikes) = self.mechanism.pierces(self.sense, (stop.way, look())) {
+            return Err(Refusal::Beyond(strikes));
         }
         teller.tell_met(&self.meets, stop.way)?;
         let rest = stop.why == Why::Rest || stop.half_square.is_zero();

@@ -19,15 +19,15 @@ use crate::num::{Lanes, lanes};
 use crate::num::{Real, trig};
 use crate::scene::pose;
 use crate::scene::{
-    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, Found, GivenForce, Grows, Heading, Label, Law, Made,
-    Numbers, Owner, Quantity, RotaryInertia, Scene, Side, Span, Start, Tie, speed,
+    Action, Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Label, Law, Made,
+    Numbers, Owner, Quantity, Scene, Side, Span, Start, Tie, speed,
 };
 use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, needs, normals, respond};
 use crate::solve::eom::integrate::{Event, Path, Wanted, path};
 use crate::solve::eom::onset::Onset;
 use crate::solve::eom::phases::{Linear, Phases};
 use crate::solve::eom::travel::{Leg, State, Travel};
-use crate::solve::found::{self, Forward};
+use crate::solve::found;
 use crate::solve::method::{Method, Rung};
 use crate::solve::outcome;
 use crate::solve::outcome::{Course, Held, Refusal, Road, Said, Scope, Set, Throw, Told};
@@ -44,18 +44,7 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
 
 /// What they say of what is asked; where a formula asks, that is everything. Errors: those of [`road`].
 pub fn road_of<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
-    match &scene.formulas.found {
-        Some(found) => {
-            let forward = Forward {
-                rough: &|data, asked| measured(scene, found, data, asked),
-                measured: &|data, asked| measured(scene, found, data, asked),
-                exact: &|data, _| answered(scene, data),
-            };
-            found::road(found, data, &forward)
-        }
-        None if scene.formulas.asked.is_empty() => alone(scene, data, asked),
-        None => answered(scene, data),
-    }
+    found::road_of(scene, data, asked, (of_kind, of_kind))
 }
 
 /// What they say of what is asked with each of several sets of data, in doubles; `None` where they say nothing. Many scenes are walked
@@ -112,26 +101,6 @@ fn is_given(scene: &Scene) -> bool {
     scene.formulas.found.is_none() && scene.formulas.asked.is_empty()
 }
 
-/// What was measured, with all data given: of an expression that is everything.
-fn measured<T: Real>(scene: &Scene, found: &Found, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
-    if found.label.quantity == Quantity::Value { answered(scene, data) } else { alone(scene, data, asked) }
-}
-
-/// [`road`] with all data given.
-fn answered<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
-    alone(scene, data, Scope::ALL)?.answering(scene, data, &another)
-}
-
-/// [`road_of`] without what is asked by formulas.
-fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
-    Ok(of_kind(scene, Numbers::new(scene, data), asked)?.telling(scene))
-}
-
-/// All of another scene, with what it takes over.
-fn another<T: Real>(scene: &Scene, data: &[f64], taken: &[T]) -> Result<Road<T>, Refusal> {
-    Ok(of_kind(scene, Numbers::after(scene, data, taken), Scope::ALL)?.telling(scene))
-}
-
 /// Everything that it finds, by the kind of the scene.
 fn of_kind<T: Real>(scene: &Scene, n: Numbers<T>, asked: Scope) -> Result<Road<T>, Refusal> {
     if scene.lead().is_some() {
@@ -184,7 +153,7 @@ pub fn road_by<T: Real>(
         return Err(Refusal::NoMethod { method: rung.method() });
     }
     let (road, count) = alone_by(scene, data, rung, asked)?;
-    Ok((road.telling(scene).answering(scene, data, &another)?, count))
+    Ok((found::answering(road.telling(scene), scene, data, of_kind)?, count))
 }
 
 /// [`road_by`] without what is asked by formulas.
@@ -666,7 +635,7 @@ impl<'a, T: Real> Walk<'a, T> {
         } else {
             a0.sign()
         };
-        let wrong_way = self.goes_wrong(sense);
+        let wrong_way = self.scene.goes_wrong(sense);
         if self.rests(0.0) {
             for i in 0..self.springs.len() {
                 if let Spring { tie, rest: Some(rest), .. } = self.springs[i] {
@@ -731,15 +700,6 @@ impl<'a, T: Real> Walk<'a, T> {
         self.centre().map_or(sense, |line| sense * self.ratio(line).sign())
     }
 
-    /// Is it declared to go the other way?
-    fn goes_wrong(&self, sense: f64) -> bool {
-        match self.scene.heading {
-            Some(Heading::Forward) => sense < 0.0,
-            Some(Heading::Back) => sense > 0.0,
-            None => false,
-        }
-    }
-
     /// Nothing sets off.
     fn rest(&mut self, pulls: Pulls<T>) {
         self.road.course = Some(Course::at_rest());
@@ -793,7 +753,7 @@ impl<'a, T: Real> Walk<'a, T> {
     fn through_phases(mut self) -> Result<(Road<T>, Count), Refusal> {
         let mut count = Count::default();
         let Some(mut phases) = self.phases.take() else { return Ok((self.road, count)) };
-        let wrong_way = self.goes_wrong(phases.sense);
+        let wrong_way = self.scene.goes_wrong(phases.sense);
         let asked = measure(self.scene, &self.n, phases.sense);
         let begins = if matches!(self.scene.end, End::Speed(..)) { self.v0.abs() } else { T::zero() };
         let farthest = phases.farthest();
@@ -1159,7 +1119,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 if let Tie::Roll { body, .. } = tie
                     && self.scene.bodies[*body].line.is_some_and(|l| l.surface)
                 {
-                    self.say_open(Quantity::MuRequired, Owner::Body(*body));
+                    self.road.leaves_open(Owner::Body(*body), &[Quantity::MuRequired]);
                 }
                 // A light rod may push as well.
                 let watched = match tie {
@@ -1190,7 +1150,7 @@ impl<'a, T: Real> Walk<'a, T> {
                         let least = least.unwrap_or(0);
                         let force = walk.n.publish(Quantity::Tension, forces[least]).f64();
                         let at = walk.moments(places).nth(least).unwrap_or((&walk.response, &[]));
-                        Held::Cord(t, force, walk.share_of_tension((t, c), forces[least], at))
+                        Held::Cord(t, force, walk.share_of_tension(t, forces[least], at))
                     });
                 }
                 _ => {}
@@ -1222,75 +1182,47 @@ impl<'a, T: Real> Walk<'a, T> {
 
     /// Tension of a cord as a share of the other forces (or moments) on what it pulls, under these tensions of the springs: near 0 the
     /// cord is about to go slack. The smaller share of its two ends.
-    fn share_of_tension(
-        &self,
-        (tie, cord): (usize, &Cord),
-        tension: T,
-        (response, pulls): (&Response<T>, &[T]),
-    ) -> f64 {
-        let friction = |t: usize| under(pulls, |k| response.reaction(t, k));
-        let other = match &cord.to {
-            Far::Body(end) => Some(end),
-            Far::Pull(_) | Far::Spring { .. } | Far::Fixed => None,
-        };
-        let share = |end: &CordEnd| {
-            let b = end.body;
-            let n = &self.n.bodies[b];
-            let (c, arm) = match (self.along(b), end.attach) {
-                (Some(c), _) => (c, None),
-                (None, Attach::Wound(p, _)) => {
-                    (Coordinate { body: b, degree: Degree::Turn }, Some(self.n.get(p)))
-                }
-                (None, Attach::Centre) => return 1.0,
+    fn share_of_tension(&self, tie: usize, tension: T, (response, pulls): (&Response<T>, &[T])) -> f64 {
+        let size = |x: T| x.f64().abs();
+        let share = |end: Action| {
+            let (b, n) = (end.body, &self.n.bodies[end.body]);
+            let line = self.along(b);
+            if line.is_none() && end.arm.is_none() {
+                return 1.0;
+            }
+            let a = |c| self.acceleration_in(response, c, pulls);
+            let mut others = match line {
+                Some(line) => size(n.mass * a(line)) + size(self.drawn(b)),
+                None => size(n.inertia * a(Coordinate { body: b, degree: Degree::Turn })),
             };
-            // Lever of a cord or contact that acts on the body.
-            let lever = |attach: Attach| match (arm, attach) {
-                (None, _) => T::of(1.0),
-                (Some(_), Attach::Wound(p, _)) => self.n.get(p),
-                (Some(_), Attach::Centre) => T::zero(),
-            };
-            let size = |x: T| x.f64().abs();
-            let a = self.acceleration_in(response, c, pulls);
-            let mut others = match arm {
-                None => size(n.mass * a) + size(self.drawn(b)),
-                Some(_) => size(n.inertia * a),
-            };
-            for couple in self.scene.couples.iter().filter(|k| arm.is_some() && k.body == b) {
+            for couple in self.scene.couples.iter().filter(|k| line.is_none() && k.body == b) {
                 others += size(self.n.massive(couple.moment_n_m));
             }
+            // The force of what acts on the body, or its moment.
+            let acts = |force: T, action: &Action| match (line, action.arm) {
+                (Some(_), _) => size(force),
+                (None, arm) => arm.map_or(0.0, |(radius, _)| size(force * self.n.get(radius))),
+            };
             for (t, other) in self.scene.ties.iter().enumerate().filter(|(t, _)| *t != tie) {
-                others += match other {
-                    Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. } if *body == b => {
-                        size(friction(t) * lever(Attach::Wound(*radius_m, Side::Bottom)))
-                    }
-                    Tie::Slide { body, .. } if *body == b && arm.is_none() => size(friction(t)),
-                    Tie::Cord(Cord { from, to, .. }) => {
-                        let far = match to {
-                            Far::Body(end) if end.body == b => Some(end),
-                            _ => None,
-                        };
-                        let force = match to {
-                            Far::Pull(p) => self.n.massive(*p),
-                            Far::Spring { .. } => self.pull_of(t, pulls),
-                            Far::Body(_) | Far::Fixed => friction(t),
-                        };
-                        let near = Some(from).filter(|end| end.body == b);
-                        near.into_iter().chain(far).map(|end| size(force * lever(end.attach))).sum()
-                    }
-                    _ => 0.0,
+                let force = match other {
+                    Tie::Cord(Cord { to: Far::Pull(p), .. }) => self.n.massive(*p),
+                    Tie::Cord(Cord { to: Far::Spring { .. }, .. }) => self.pull_of(t, pulls),
+                    _ => under(pulls, |k| response.reaction(t, k)),
                 };
+                let on_it = other.actions().filter(|action| action.body == b);
+                others += on_it.map(|action| acts(force, &action)).sum::<f64>();
             }
-            let own = size(tension * lever(end.attach));
+            let own = acts(tension, &end);
             if others > 0.0 { own / others } else { 1.0 }
         };
-        other.map_or(1.0, share).min(share(&cord.from))
+        self.scene.ties[tie].actions().map(share).fold(1.0, f64::min)
     }
 
     /// What needs no ending event: accelerations and forces at the start.
     fn standing(&mut self, pulls: &[T]) {
         self.accelerations(pulls);
         self.forces(pulls);
-        self.bound_of_gyration();
+        self.bound_of_gyration(pulls);
     }
 
     /// Where nothing sets off, everything stays as it is: no speed, no energy.
@@ -1345,11 +1277,6 @@ impl<'a, T: Real> Walk<'a, T> {
         }
     }
 
-    /// Says that a quantity hangs on a reaction that the ties share in a way that statics leaves open.
-    fn say_open(&mut self, quantity: Quantity, of: Owner) {
-        self.road.open.push(Label { quantity, of });
-    }
-
     /// Friction of the contacts and tension of the cords at these tensions of the springs.
     fn forces(&mut self, pulls: &[T]) {
         use Quantity::{PinAngle, PinForce, PinX, PinY};
@@ -1364,9 +1291,11 @@ impl<'a, T: Real> Walk<'a, T> {
                 Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. }
                     if self.response.is_open(t) =>
                 {
-                    self.say_open(Quantity::Friction, Owner::Body(*body));
+                    self.road.leaves_open(Owner::Body(*body), &[Quantity::Friction]);
                 }
-                Tie::Cord(c) if self.response.is_open(t) => self.say_open(c.force(), Owner::Tie(t)),
+                Tie::Cord(c) if self.response.is_open(t) => {
+                    self.road.leaves_open(Owner::Tie(t), &[c.force()])
+                }
                 Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => {
                     let f = self.friction(t, pulls);
                     let scale = self.friction_scale(&self.response, *body, f, pulls);
@@ -1409,7 +1338,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 }
                 Far::Spring { .. } => self.pull_of(t, pulls),
                 _ if self.response.is_open(t) => {
-                    quantities.into_iter().for_each(|q| self.say_open(q, of));
+                    self.road.leaves_open(of, &quantities);
                     return;
                 }
                 _ => self.friction(t, pulls),
@@ -1433,7 +1362,7 @@ impl<'a, T: Real> Walk<'a, T> {
         }
         self.accelerations(pulls);
         self.forces(pulls);
-        self.bound_of_gyration();
+        self.bound_of_gyration(pulls);
         let mut sums = Sums::default();
         for b in 0..self.scene.bodies.len() {
             if let Some(c) = self.along(b) {
@@ -1492,7 +1421,9 @@ impl<'a, T: Real> Walk<'a, T> {
         self.say_scaled(Quantity::Displacement, of, moved, sizes[1]);
         self.say(Quantity::Distance, of, gone.path);
         let momentum = plant!("eom: impulse of all forces", n.mass) * gone.change;
-        self.say(Quantity::Impulse, of, momentum);
+        // What keeps its speed has the difference of two momenta.
+        let before = (gone.speed - gone.change).size();
+        self.say_scaled(Quantity::Impulse, of, momentum, n.mass.size() * (before + gone.speed.size()));
         sums.energy = sums.energy + (n.mass * v * v).scale2(-1);
         // Shares at unit rate: the speed would bring in its own rounding and leave by cancelling.
         sums.moving = sums.moving + n.mass * gone.unit * gone.unit;
@@ -1572,43 +1503,18 @@ impl<'a, T: Real> Walk<'a, T> {
         None
     }
 
-    /// With F = 0: `a = X/m`, `alpha = M/(m k^2)` and `a = c alpha`, so `k^2 = c M/X`. Asked for a single rolling wheel
-    /// under constant pulls with a given radius of gyration; infinite where friction points up at any k.
-    fn bound_of_gyration(&mut self) {
-        let [body] = self.scene.bodies.as_slice() else { return };
-        let tilted = self.scene.ties.iter().any(|t| t.tilted().is_some());
-        if !self.asks(&[Quantity::KBound]) || !self.scene.growths.is_empty() || tilted {
-            return;
+    /// With F = 0: `a = X/m`, `alpha = M/(m k^2)` and `a = c alpha`, so `k^2 = c M/X`, with `X = m a - F` and `c M = I a + c^2 F` of
+    /// the wheel as it is; infinite where friction points up at any k.
+    fn bound_of_gyration(&mut self, pulls: &[T]) {
+        let Some((tie, radius)) = self.scene.pulled_wheel() else { return };
+        let Some(line) = self.along(0).filter(|_| self.asks(&[Quantity::KBound])) else { return };
+        let (n, a, friction) = (self.n.bodies[0], self.acceleration(line, pulls), self.friction(tie, pulls));
+        let force = (n.mass * a).balance(-friction).signed(self.up(0));
+        let moment = (n.inertia * a).balance(self.n.get(radius).square() * friction).signed(self.up(0));
+        if force.sign() > 0.0 && moment.sign() > 0.0 {
+            self.say(Quantity::KBound, Owner::Body(0), (moment / force).root());
+        } else if force.sign() <= 0.0 && moment.sign() >= 0.0 {
+            self.say(Quantity::KBound, Owner::Body(0), T::of(f64::INFINITY));
         }
-        let mut radius = None;
-        let numbers = self.n.bodies[0];
-        let (mut force, mut moment) = (-(numbers.mass * self.n.gravity * numbers.climb), T::zero());
-        let mut pulled = false;
-        for tie in &self.scene.ties {
-            match tie {
-                Tie::Roll { radius_m, .. } => radius = Some(self.n.get(*radius_m)),
-                Tie::Cord(c) => {
-                    let Far::Pull(p) = c.to else { return };
-                    pulled = true;
-                    let p = self.n.massive(p).signed(if c.from.forward { 1.0 } else { -1.0 });
-                    force = force + p;
-                    if let Attach::Wound(r, side) = c.from.attach {
-                        let lever = if side == Side::Top { self.n.get(r) } else { -self.n.get(r) };
-                        moment = moment + p * lever;
-                    }
-                }
-                Tie::Slip { .. } | Tie::Slide { .. } => return,
-            }
-        }
-        let (Some(c), true, Some(RotaryInertia::Gyration(_))) = (radius, pulled, &body.inertia) else {
-            return;
-        };
-        let (force, moment) = (force.signed(self.up(0)), moment.signed(self.up(0)));
-        let never = if force.sign() > 0.0 { moment.sign() <= 0.0 } else { moment.sign() < 0.0 };
-        if !self.scene.couples.is_empty() || never {
-            return;
-        }
-        let bound = if force.sign() > 0.0 { (c * moment / force).root() } else { T::of(f64::INFINITY) };
-        self.say(Quantity::KBound, Owner::Body(0), bound);
     }
 }

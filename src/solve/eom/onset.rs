@@ -51,14 +51,14 @@ impl<T: Real> Onset<'_, '_, T> {
         let one = respond(self.scene, self.n, &self.setting);
         self.setting.holds[tie] = false;
         let one = one?;
-        if one.is_open(tie) { Err(Refusal::Unsupported(Unsupported::SlipShared)) } else { Ok(one) }
+        if one.is_open(tie) { Err(Refusal::SlipShared(tie)) } else { Ok(one) }
     }
 
     /// Contacts that are said to slip, from rest: kinetic friction has the sense that static friction would have, the other contacts as
     /// declared. The response is so far that with all of them held.
     pub fn slips(&mut self, slipping: &[usize]) -> Result<(), Refusal> {
-        if slipping.iter().any(|t| self.response.is_open(*t)) {
-            return Err(Refusal::Unsupported(Unsupported::SlipShared));
+        if let Some(shared) = slipping.iter().find(|t| self.response.is_open(**t)) {
+            return Err(Refusal::SlipShared(*shared));
         }
         for t in slipping {
             self.setting.friction_sense[*t] = self.reaction(&self.response, *t).sign();

@@ -279,7 +279,7 @@ impl<'a, T: Real> Phases<'a, T> {
                 setting.holds[t] = true;
                 let response = respond(self.scene, n, &setting)?;
                 if response.is_open(t) {
-                    return Err(Refusal::Unsupported(Unsupported::SlipShared));
+                    return Err(Refusal::SlipShared(t));
                 }
                 self.rolled.push((t, response));
             }

@@ -19,9 +19,9 @@ use crate::num::half::Half;
 use crate::num::linear::{Factors, Linear};
 use crate::num::plant::plant;
 use crate::num::root;
-use crate::scene::pose::{self, Layout};
-use crate::scene::{Acts, JointKind, Numbers, Rest, Scene, Spot, Strut, StrutEnd, Surface};
-use crate::solve::outcome::{self, Refusal, Unsupported};
+use crate::scene::pose::{self, Layout, Obstacle};
+use crate::scene::{Acts, Degree, JointKind, Numbers, Rest, Scene, Spot, Strut, StrutEnd, Surface};
+use crate::solve::outcome::{self, Refusal};
 use smallvec::{SmallVec, smallvec};
 use std::cell::RefCell;
 
@@ -232,6 +232,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
     pub fn ratio(&self) -> T {
         self.layout.ratio()
     }
+    /// [`Layout::to_end_deg`].
+    pub fn to_end_deg(&self) -> Option<T> {
+        self.layout.to_end_deg()
+    }
     /// How far it turns on this way.
     pub fn turned(&self, way: T) -> T {
         self.layout.turned(way)
@@ -433,7 +437,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
     /// Says why there: where rods lie in one line, nothing tells how they go on.
     fn in_place(&self, way: T) -> impl Fn(Refusal) -> Refusal {
         move |why| match why {
-            Refusal::Freedoms(_) if self.in_line(way) => Refusal::Unsupported(Unsupported::InLine),
+            Refusal::Freedoms(_) => self.in_line(way).map_or(why, Refusal::Beyond),
             why => why,
         }
     }
@@ -683,8 +687,8 @@ impl<'a, T: Real> Mechanism<'a, T> {
     pub fn struck(&self, state: &State<T>) -> Result<Response<T>, Refusal> {
         let mut after = self.answer(state, &state.rows, &self.forces(&state.poses, true), false)?;
         if let Some((joint, e)) = self.scene.restitution {
-            if LOOKED_THROUGH && !self.held_before(state, joint) {
-                return Err(Refusal::Unsupported(Unsupported::HeldBefore));
+            if LOOKED_THROUGH && let Some(parts) = self.parts_before(state, joint) {
+                return Err(parts);
             }
             // What the joints would give if they held, and as much again for each part that springs back.
             let e = plant!("eom: restitution", self.n.get(e));
@@ -697,18 +701,21 @@ impl<'a, T: Real> Mechanism<'a, T> {
         }
         Ok(after)
     }
-    /// Do the bodies move just before an impact as all joints but this one allow?
-    fn held_before(&self, state: &State<T>, impact: usize) -> bool {
+    /// Why not, if a joint other than this one does not allow how the bodies move just before an impact.
+    fn parts_before(&self, state: &State<T>, impact: usize) -> Option<Refusal> {
         let mut before: SmallVec<[T; 12]> = smallvec![T::zero(); self.columns];
         for (b, v) in self.before(&state.poses).into_iter().enumerate() {
             let own = if self.turns(b) { 3 } else { 2 };
             before[self.first[b]..][..own].copy_from_slice(&v[..own]);
         }
         let fastest: f64 = before.iter().map(|v| v.size()).sum();
-        state.rows.iter().filter(|row| row.joint != impact).all(|row| {
+        state.rows.iter().filter(|row| row.joint != impact).find_map(|row| {
             let mut speed = T::zero();
             self.speeds(row, |at, x| speed = speed + x * before[at]);
-            speed.size() <= PIERCED * fastest * (1.0 + self.size())
+            let parts = speed.size() > PIERCED * fastest * (1.0 + self.size());
+            let turn = row.ends()[0].along.iter().all(|x| x.is_nothing());
+            let degree = if turn { Degree::Turn } else { Degree::Along };
+            parts.then_some(Refusal::PartedBefore { joint: row.joint, speed: speed.size(), degree })
         })
     }
     /// The velocities of bodies just before an impact: of the mass centre, and of the turn.
@@ -916,6 +923,11 @@ impl<'a, T: Real> Mechanism<'a, T> {
     pub fn spin(&self, state: &State<T>, body: usize) -> T {
         state.rates[body][2].signed(self.sense(body))
     }
+    /// Sum of the magnitudes of the momenta that bodies gain by these jumps of their velocities.
+    pub fn gained(&self, jumps: &Response<T>) -> f64 {
+        let gains = self.n.bodies.iter().zip(&jumps.moves[0]);
+        gains.map(|(numbers, [x, y, _])| numbers.mass.size() * (x.size() + y.size())).sum()
+    }
     /// Velocity of a mass centre for a unit rate.
     pub fn velocity(&self, state: &State<T>, body: usize) -> Vector<T> {
         let [x, y, _] = state.rates[body];
@@ -1006,39 +1018,42 @@ impl<'a, T: Real> Mechanism<'a, T> {
         [root::changes(far, &turns, &value).unwrap_or_default(), turns]
     }
     /// [`Layout::in_line`].
-    pub fn in_line(&self, way: T) -> bool {
-        LOOKED_THROUGH && self.layout.in_line(way)
+    pub fn in_line(&self, way: T) -> Option<Obstacle> {
+        if LOOKED_THROUGH { self.layout.in_line(way) } else { None }
     }
     /// [`Layout::horizon`].
     pub fn horizon(&self) -> T {
         self.layout.horizon()
     }
     /// [`Layout::overruns`].
-    pub fn overruns(&self, sense: f64, far: (T, T)) -> Option<T> {
+    pub fn overruns(&self, sense: f64, far: (T, T)) -> Option<(T, Obstacle)> {
         self.layout.overruns(&self.relaxed, sense, far)
     }
     /// Does a point of a body pass on this way through the surface that pushes another one of its points? One that starts beyond is no
     /// part of what the surface bears; what stands out over the rim of a wheel runs beside its rail.
-    pub fn pierces(&self, sense: f64, far: (T, T)) -> bool {
+    pub fn pierces(&self, sense: f64, far: (T, T)) -> Option<Obstacle> {
         let margin = T::of(PIERCED * self.size());
-        self.scene.joints.iter().zip(&self.layout.lines).any(|(joint, [c, s])| {
+        self.scene.joints.iter().zip(&self.layout.lines).enumerate().find_map(|(j, (joint, [c, s]))| {
             let (at, through) = match joint.kind {
                 JointKind::Guide { at, line, one_sided: true, .. }
                 | JointKind::Contact {
                     at, surface: Surface::Line(line), rolls: false, teeth: false, ..
                 } if line.on.is_none() => (at, pose::ground(self.n, line.through_m)),
-                _ => return false,
+                _ => return None,
             };
             let above = |spot: Spot, way: T| {
                 let [x, y] = self.place(&self.poses(way.signed(sense), false)?, spot);
                 Ok::<_, Refusal>((y - through[1]) * *c - (x - through[0]) * *s + margin)
             };
             let points = self.scene.planar(at.body).map_or(0, |p| p.points.len());
-            (0..points).map(|point| Spot { body: at.body, point }).filter(|spot| *spot != at).any(|spot| {
-                let above = |way: T| above(spot, way);
+            let pierces = |spot: &Spot| {
+                let above = |way: T| above(*spot, way);
                 above(T::zero()).is_ok_and(|first| first.sign() > 0.0)
                     && root::changes(far, &[], &above).is_ok_and(|places| !places.is_empty())
-            })
+            };
+            let mut others =
+                (0..points).map(|point| Spot { body: at.body, point }).filter(|spot| *spot != at);
+            others.find(pierces).map(|spot| Obstacle::Strikes(spot, j))
         })
     }
     /// Force of a spring, positive if it pulls; moment of a torsion spring against its stretch.

@@ -4,7 +4,7 @@ use crate::num::half::Half;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, ball, gauss, root, trig};
 use crate::scene::End;
-use crate::solve::energy::joined::{Account, At, Poses, STEP, STRETCHED, WIDTHS, decided};
+use crate::solve::energy::joined::{Account, At, Poses, STEP, STRETCHED, WIDTHS, decided, least};
 use crate::solve::outcome::{Refusal, Unsupported};
 
 impl<T: Real> Account<'_, T> {
@@ -166,12 +166,20 @@ impl<T: Real> Account<'_, T> {
 
     /// The way that takes this time, if it takes it before it comes to rest.
     pub fn after(&self, t: T, far: T, from: (&Poses<T>, T)) -> Result<Option<T>, Refusal> {
-        let rest = self.turning(far, from)?;
-        let limit = rest.unwrap_or(far);
-        let most = self.time(&(limit, None), from, rest.is_some())?;
         if self.proves() && self.pendulum.is_none() {
             return Ok(None);
         }
+        // It is looked at in ever longer ways: what lies beyond the end may be rough.
+        let mut limit = if self.pendulum.is_some() { far } else { least(T::of(STEP), &far) };
+        let (rest, most) = loop {
+            let rest = self.turning(limit, from)?;
+            let most = self.time(&(rest.unwrap_or(limit), None), from, rest.is_some())?;
+            if rest.is_some() || t.below(most) || !limit.below(far) {
+                break (rest, most);
+            }
+            limit = least(limit.scale2(2), &far);
+        };
+        let limit = rest.unwrap_or(limit);
         match t.side(most) {
             0.0 => return Ok(Some(limit)),
             side if side > 0.0 => return Ok(None),

@@ -4,7 +4,7 @@ use crate::num::{Dd, Real, ball, trig};
 use crate::scene::pose;
 use crate::scene::{Acts, JointKind, Label, Owner, Quantity, Spot};
 use crate::solve::energy::joined::{Accelerations, Account, Motion, Poses, STEP, Vector, dot};
-use crate::solve::outcome::{Course, Refusal, Road, Said, Unsupported};
+use crate::solve::outcome::{Course, Refusal, Road, Said};
 
 impl<T: Real> Account<'_, T> {
     pub fn say(&self, road: &mut Road<T>, quantity: Quantity, of: Owner, value: T) {
@@ -122,8 +122,8 @@ impl<T: Real> Account<'_, T> {
         self.sense = if sense == 0.0 { 1.0 } else { sense };
         let wound = self.overruns((way.abs(), T::of(STEP)));
         self.sense = 1.0;
-        if wound.is_some() {
-            return Err(Refusal::Unsupported(Unsupported::Overrun));
+        if let Some((_, obstacle)) = wound {
+            return Err(Refusal::Beyond(obstacle));
         }
         let (of, frequency) = (Owner::Body(self.lead), stiffness.root());
         self.say(road, Quantity::OmegaSmall, of, frequency);
@@ -151,7 +151,7 @@ impl<T: Real> Account<'_, T> {
                         self.say(road, *quantity, of, *impulse);
                     }
                 }
-                None => road.open.extend(quantities.iter().map(|q| Label { quantity: *q, of })),
+                None => road.leaves_open(of, quantities),
             }
         }
     }
@@ -262,7 +262,7 @@ impl<T: Real> Account<'_, T> {
             let of = Owner::Joint(j);
             let quantities = joint.kind.forces();
             let Some(forces) = forces else {
-                road.open.extend(quantities.iter().map(|q| Label { quantity: *q, of }));
+                road.leaves_open(of, quantities);
                 continue;
             };
             for (quantity, (force, _)) in quantities.iter().zip(&forces) {

@@ -2,10 +2,11 @@
 use crate::num::dd::pow2;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, gauss, root, trig};
+use crate::scene::pose::Obstacle;
 use crate::scene::{Acts, JointKind, Label, Owner, Quantity, Spot, pose};
-use crate::solve::eom::joined::{BESIDE, Fine, Gain, Motion, PUSHES, SHORTEST, Teller, look};
+use crate::solve::eom::joined::{BESIDE, Fine, Gain, Motion, PUSHES, SHORT, SHORTEST, Teller, look};
 use crate::solve::eom::planar::{LOOKED_THROUGH, Response, State};
-use crate::solve::outcome::{Course, Held, Refusal, Said, Unsupported};
+use crate::solve::outcome::{Course, Held, Refusal, Said};
 use smallvec::SmallVec;
 
 /// A way on which springs act is looked at in so many places at least.
@@ -76,9 +77,18 @@ impl<T: Real> Teller<'_, '_, T> {
         let drive = |way: T| Ok(mechanism.leading(&at(way)?.1).0);
         let sense = drive(T::zero())?.sign();
         let full = T::constant(Dd::PI.scale2(1));
-        let found = match sense == 0.0 {
-            true => Some(T::zero()),
-            false => self.falls_off(full, sense, &|x| Ok(drive(x.signed(sense))?.signed(sense)))?,
+        let overruns = |far: T| mechanism.overruns(sense, (far, look()));
+        let found = if sense == 0.0 {
+            Some(T::zero())
+        } else {
+            // Beyond its pulley no load has a place.
+            let at_pulley = overruns(full).filter(|(_, what)| matches!(what, Obstacle::Pulley(_)));
+            let far = at_pulley.map_or(full, |(way, _)| way * T::of(SHORT));
+            let found = self.falls_off(far, sense, &|x| Ok(drive(x.signed(sense))?.signed(sense)))?;
+            match at_pulley.filter(|_| found.is_none()) {
+                Some((_, pulley)) => return Err(Refusal::Beyond(pulley)),
+                None => found,
+            }
         };
         let stiffness = match found {
             Some(way) => {
@@ -101,8 +111,8 @@ impl<T: Real> Teller<'_, '_, T> {
         if LOOKED_THROUGH {
             self.gets_to(way)?;
         }
-        if mechanism.overruns(sense, (way.abs(), look())).is_some() {
-            return Err(Refusal::Unsupported(Unsupported::Overrun));
+        if let Some((_, obstacle)) = overruns(way.abs()) {
+            return Err(Refusal::Beyond(obstacle));
         }
         self.tell_met(&mechanism.meets(sense, (way.abs(), look())), way.abs())?;
         let (of, frequency) = (Owner::Body(mechanism.lead), stiffness.root());
@@ -203,11 +213,11 @@ impl<T: Real> Teller<'_, '_, T> {
 
     /// The impulses of the joints at a blow. One that can only push and would have to pull lets go, and the other way round.
     pub fn tell_blow(&mut self, jumps: &Response<T>) {
-        let all = self.blows();
+        let all = self.blows() + self.mechanism.gained(jumps);
         for (j, joint) in self.scene.joints.iter().enumerate() {
             let (of, quantities) = (Owner::Joint(j), joint.kind.impulses());
             let Some(impulses) = self.mechanism.reaction(jumps, j, T::zero()) else {
-                self.road.open.extend(quantities.iter().map(|q| Label { quantity: *q, of }));
+                self.road.leaves_open(of, quantities);
                 continue;
             };
             for (quantity, impulse) in quantities.iter().zip(&impulses) {
@@ -350,7 +360,7 @@ impl<T: Real> Teller<'_, '_, T> {
             let of = Owner::Joint(j);
             let quantities = joint.kind.forces();
             let Some(force) = mechanism.reaction(response, j, square) else {
-                self.road.open.extend(quantities.iter().map(|q| Label { quantity: *q, of }));
+                self.road.leaves_open(of, quantities);
                 continue;
             };
             for (quantity, force) in quantities.iter().zip(&force) {
