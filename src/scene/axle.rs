@@ -61,27 +61,26 @@ impl Scene {
     /// The slopes on which bodies lie, and whether a picture turns each surface round: a cord that leads from one surface to another
     /// leaves one body to the right and the other to the left. From a wall, which faces left, it leads upward to the right.
     fn turned_round(&self) -> SmallVec<[(Slope, bool); 2]> {
-        let on = |body: usize| self.bodies[body].line.filter(|line| line.surface);
-        let right = |end: &CordEnd| on(end.body).map(|line| (line.slope, end.forward == line.forward_up));
+        let right = |end: &CordEnd| {
+            let line = self.bodies[end.body].line.filter(|line| line.surface)?;
+            Some((line.slope, end.forward == line.forward_up))
+        };
         let mut known: SmallVec<[(Slope, bool); 2]> = SmallVec::new();
-        for slope in (0..self.bodies.len()).filter_map(|b| Some(on(b)?.slope)) {
-            let mut next = Some((slope, false));
-            while let Some((slope, turned)) = next.take() {
-                if known.iter().all(|(other, _)| *other != slope) {
-                    known.push((slope, turned));
-                }
-                let leads = |tie: &Tie| {
-                    let Tie::Cord(Cord { from, to: Far::Body(to), .. }) = tie else { return None };
-                    let ends = [right(from)?, right(to)?];
+        for line in self.bodies.iter().filter_map(|body| body.line).filter(|line| line.surface) {
+            if known.iter().all(|(slope, _)| *slope != line.slope) {
+                known.push((line.slope, false));
+            }
+            // As often as cords may lead on from what one of them has led to.
+            for tie in self.ties.iter().flat_map(|_| &self.ties) {
+                let Tie::Cord(Cord { from, to: Far::Body(to), .. }) = tie else { continue };
+                let (Some(one), Some(other)) = (right(from), right(to)) else { continue };
+                for [near, far] in [[one, other], [other, one]] {
                     let turned =
-                        |slope| known.iter().find(|(other, _)| *other == slope).map(|(_, turned)| *turned);
-                    match ends.map(|(slope, _)| turned(slope)) {
-                        [Some(turned), None] => Some((ends[1].0, (ends[0].1 == ends[1].1) != turned)),
-                        [None, Some(turned)] => Some((ends[0].0, (ends[0].1 == ends[1].1) != turned)),
-                        _ => None,
+                        |end: (Slope, bool)| Some(known.iter().find(|(slope, _)| *slope == end.0)?.1);
+                    if let (Some(turned), None) = (turned(near), turned(far)) {
+                        known.push((far.0, (near.1 == far.1) != turned));
                     }
-                };
-                next = self.ties.iter().find_map(leads);
+                }
             }
         }
         known

@@ -78,7 +78,8 @@ impl<T: Real> Pose<Jet<T>> {
 fn plus<X: Copy + Add<Output = X>>(a: [X; 2], b: [X; 2]) -> [X; 2] {
     [a[0] + b[0], a[1] + b[1]]
 }
-fn less<X: Copy + Sub<Output = X>>(a: [X; 2], b: [X; 2]) -> [X; 2] {
+/// `a - b`
+pub fn less<X: Copy + Sub<Output = X>>(a: [X; 2], b: [X; 2]) -> [X; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
 fn times<T: Real, X: Followed<T>>(a: [X; 2], by: T) -> [X; 2] {

@@ -966,7 +966,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     /// How far it could go, in what its end is told by.
     fn farthest(&self, teller: &Teller<T>, stop: &Stop<T>, reached: bool, most: Option<T>) -> T {
         let endless = T::of(f64::INFINITY);
-        let margins = teller.pinned.is_some() && teller.asked.held;
+        let margins = cfg!(feature = "program") && teller.pinned.is_some() && teller.asked.held;
         match self.mechanism.scene.end {
             End::Angle(..) if reached && margins => {
                 self.limit(stop).map_or(endless, |way| way * trig::degrees_per_radian())

@@ -1150,7 +1150,10 @@ impl<'a, T: Real> Walk<'a, T> {
                         let least = least.unwrap_or(0);
                         let force = walk.n.publish(Quantity::Tension, forces[least]).f64();
                         let at = walk.moments(places).nth(least).unwrap_or((&walk.response, &[]));
-                        Held::Cord(t, force, walk.share_of_tension(t, forces[least], at))
+                        // A page needs no margin.
+                        let program = cfg!(feature = "program");
+                        let share = if program { walk.share_of_tension(t, forces[least], at) } else { 1.0 };
+                        Held::Cord(t, force, share)
                     });
                 }
                 _ => {}

@@ -314,25 +314,25 @@ impl<T: Real> Teller<'_, '_, T> {
     fn tell_whole(&mut self, state: &State<T>) {
         let (n, mechanism, of) = (self.n, self.mechanism, Owner::Scene);
         let Some(pin) = self.scene.only_pin().filter(|_| self.pinned.is_none()) else { return };
-        let mean = |part: &dyn Fn(usize) -> T, weigh: bool| {
-            n.bodies.iter().enumerate().fold(T::zero(), |sum, (b, own)| {
-                sum + own.mass * part(b) + if weigh { T::zero() } else { own.inertia }
-            })
-        };
-        let mass = mean(&|_| T::of(1.0), true);
-        let [x, y] = [0, 1].map(|i| mean(&|b| mechanism.centre(&state.poses, b)[i], true) / mass);
+        // Mass, first moments and moment of inertia about a point.
         let about = |at: [T; 2]| {
-            let arm = |b, i: usize| mechanism.centre(&state.poses, b)[i] - at[i];
-            mean(&|b| arm(b, 0).square() + arm(b, 1).square(), false)
+            let mut sums = [T::zero(); 4];
+            for (b, own) in n.bodies.iter().enumerate() {
+                let [x, y] = pose::less(mechanism.centre(&state.poses, b), at);
+                let parts = [own.mass, own.mass * x, own.mass * y, own.inertia + own.mass * (x * x + y * y)];
+                sums.iter_mut().zip(parts).for_each(|(sum, part)| *sum = *sum + part);
+            }
+            sums
         };
-        let (inertia, size) = (
-            plant!("eom: inertia about the only pin", about(mechanism.place(&state.poses, pin))),
-            mechanism.size(),
-        );
-        self.say(Quantity::IO, of, inertia);
-        self.say(Quantity::IG, of, about([x, y]));
-        self.say_scaled(Quantity::XG, of, x, size);
-        self.say_scaled(Quantity::YG, of, y, size);
+        let at = mechanism.place(&state.poses, pin);
+        let [mass, x, y, inertia] = about(at);
+        let centre = [at[0] + x / mass, at[1] + y / mass];
+        let size = mechanism.size();
+        self.say(Quantity::IO, of, plant!("eom: inertia about the only pin", inertia));
+        self.say(Quantity::IG, of, about(centre)[3]);
+        for (quantity, x) in [Quantity::XG, Quantity::YG].into_iter().zip(centre) {
+            self.say_scaled(quantity, of, x, size);
+        }
     }
 
     /// Forces that may cancel wherever a force or an acceleration vanishes.
