@@ -1,5 +1,5 @@
 //! Expressions of a bank: symbols of data, names of quantities, numbers, `pi`, `+ - * / ^ ( )`, `sqrt`, `abs`, `sin`,
-//! `cos`, `tan`, `atan`. They stand where a scene has a number, and in bounds, wrong methods and relations between parts.
+//! `cos`, `tan`, `asin`, `acos`, `atan`. They stand where a scene has a number, and in bounds, wrong methods and relations between parts.
 //!
 //! Values are SI. Dimensions are checked where they are known; the radian counts as a pure number here.
 use crate::bank::node::{Faults, Node, shorten};
@@ -141,6 +141,8 @@ pub fn tex(text: &str, data: &[Datum]) -> String {
             "sin" if called => ("\\sin(", ")"),
             "cos" if called => ("\\cos(", ")"),
             "tan" if called => ("\\tan(", ")"),
+            "asin" if called => ("\\arcsin(", ")"),
+            "acos" if called => ("\\arccos(", ")"),
             "atan" if called => ("\\arctan(", ")"),
             _ => ("", ""),
         };
@@ -327,7 +329,7 @@ impl Parser<'_> {
                 self.at += 1;
             }
             let name: String = self.chars[start..self.at].iter().collect();
-            let functions = ["sqrt", "abs", "sin", "cos", "tan", "atan"];
+            let functions = ["sqrt", "abs", "sin", "cos", "tan", "asin", "acos", "atan"];
             if functions.contains(&name.as_str()) && self.peek() == Some('(') {
                 self.at += 1;
                 let mut powers = self.sum()?;
@@ -349,10 +351,12 @@ impl Parser<'_> {
                     "abs" => self.steps.push(formula::Step::Abs),
                     _ if self.strict && powers != [0; 3] => {
                         self.at = start;
-                        let what = if name == "atan" { "a pure number" } else { "an angle" };
+                        let what = if name.starts_with('a') { "a pure number" } else { "an angle" };
                         return Err(self.trouble(told!("`{name}` takes {what}")));
                     }
                     "sin" => self.steps.push(formula::Step::Sin),
+                    "asin" => self.steps.push(formula::Step::Asin),
+                    "acos" => self.steps.push(formula::Step::Acos),
                     "atan" => self.steps.push(formula::Step::Atan),
                     "tan" => self.steps.push(formula::Step::Tan),
                     _ => self.steps.push(formula::Step::Cos),

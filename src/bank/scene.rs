@@ -415,7 +415,7 @@ impl SceneReader<'_> {
         #[cfg(feature = "program")]
         for (about, _) in crate::bank::synonyms::ABOUT_PIN {
             if let Some(n) = node.field(about).and_then(|_| fields.get(about)) {
-                let hint = "make data of this, of the distance from the pin to the mass centre, and of the mass, or give all as constants";
+                let hint = "make data of this, of the distance from the pin to the mass centre, and of the mass, or give all as constants; it is no smaller than that of the mass at its mass centre";
                 f.hint(n, told!("`{about}` cannot be put about the mass centre"), hint);
             }
         }

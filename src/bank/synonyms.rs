@@ -18,9 +18,6 @@ pub const ABOUT_PIN: [(&str, &str); 2] = [
     ("moment of inertia about the pin", "moment of inertia"),
 ];
 
-/// Fields that hold text for people: no expression stands in them.
-const PROSE: [&str; 5] = ["title", "name", "ask", "statement", "tex"];
-
 /// [`put`] into a tree that is owned.
 pub fn put_in(mut bank: Node) -> Node {
     put(&mut bank);
@@ -30,7 +27,6 @@ pub fn put_in(mut bank: Node) -> Node {
 /// Puts all scenes of the tree of a bank into the words in which they are read.
 pub fn put(bank: &mut Node) {
     for (_, problem) in fields(bank.field_mut("problems")) {
-        inverse_functions(problem);
         let own = problem.field_mut("scene").into_iter();
         own.for_each(scene);
         for list in ["cases", "mistakes"] {
@@ -140,15 +136,21 @@ fn angle(body: &mut Node) {
     let Some(angle) = body.field_mut("angle") else { return };
     let (mut ray, mut sense) = (None, None);
     for word in words(angle).split(' ') {
-        match word {
-            "from" | "the" => {}
-            "right" | "horizontal" => ray = Some(("right", "counter-clockwise")),
-            "up" | "upright" | "vertical" => ray = Some(("up", "clockwise")),
-            "down" | "hanging" => ray = Some(("down", "counter-clockwise")),
-            "left" => ray = Some(("left", "")),
-            "clockwise" => sense = Some("clockwise"),
-            "counter-clockwise" | "counterclockwise" | "anticlockwise" => sense = Some("counter-clockwise"),
-            _ => return,
+        let once = match word {
+            "from" | "the" => true,
+            "right" | "horizontal" => ray.replace(("right", "counter-clockwise")).is_none(),
+            "up" | "upright" | "vertical" => ray.replace(("up", "clockwise")).is_none(),
+            "down" | "hanging" => ray.replace(("down", "counter-clockwise")).is_none(),
+            "left" => ray.replace(("left", "")).is_none(),
+            "clockwise" => sense.replace("clockwise").is_none(),
+            "counter-clockwise" | "counterclockwise" | "anticlockwise" => {
+                sense.replace("counter-clockwise").is_none()
+            }
+            _ => false,
+        };
+        // Of two, or of a word that is none of these, it is said where it is read.
+        if !once {
+            return;
         }
     }
     let Some((ray, usual)) = ray else { return };
@@ -166,9 +168,15 @@ fn angle(body: &mut Node) {
 /// pin is a joint like others.
 fn pins(scene: &mut Node) {
     let mut held = Vec::new();
+    let joints = scene.field("joints").cloned();
     let bodies = fields(scene.field_mut("bodies"));
     let alone = bodies.len() == 1;
     for (name, body) in bodies.iter_mut().filter(|_| !alone) {
+        // What bears these names already is not written over.
+        let joint = name.text().and_then(|name| joints.as_ref()?.field(name));
+        if joint.or(body.field("points").and_then(|points| points.field("pin"))).is_some() {
+            continue;
+        }
         let usual = body
             .field("angle")
             .is_none_or(|angle| matches!(angle.text(), Some("from upright" | "from hanging")));
@@ -231,7 +239,7 @@ fn about_pins(scene: &mut Node) {
             let central =
                 match (own, Term::of(given, if own == "moment of inertia" { "kg*m^2" } else { "m" }), &arm) {
                     ("moment of inertia", Term::Constant(i), Some(Term::Constant(h))) => match mass {
-                        Some(Term::Constant(m)) => format!("{} kg*m^2", i - m * h * h),
+                        Some(Term::Constant(m)) if i >= m * h * h => format!("{} kg*m^2", i - m * h * h),
                         _ => continue,
                     },
                     ("moment of inertia", Term::Symbols(i), Some(Term::Symbols(h))) => {
@@ -240,7 +248,7 @@ fn about_pins(scene: &mut Node) {
                             _ => continue,
                         }
                     }
-                    (_, Term::Constant(k), Some(Term::Constant(h))) => {
+                    (_, Term::Constant(k), Some(Term::Constant(h))) if k >= h.abs() => {
                         format!("{} m", (k * k - h * h).sqrt())
                     }
                     (_, Term::Symbols(k), Some(Term::Symbols(h))) => format!("sqrt({k}^2 - {h}^2)"),
@@ -262,9 +270,13 @@ fn arm(name: &str, body: &Node, joints: Option<&Node>) -> Option<Term> {
         return Some(Term::of(distance.text()?, "m"));
     }
     let Value::Map(joints) = &joints?.value else { return None };
-    let pin = joints.iter().find_map(|(_, joint)| joint.field("pins")?.text()?.trim().strip_prefix(name))?;
+    let point = joints.iter().find_map(|(_, joint)| {
+        let spot = joint.field("pins")?.text()?.trim();
+        let (body, point) = spot.split_once('.').unwrap_or((spot, "A"));
+        (body == name).then_some(point)
+    })?;
     let place = |text: &str| Some(Term::of(text, "m"));
-    let point = body.field("points").and_then(|points| points.field(pin.strip_prefix('.').unwrap_or("A")));
+    let point = body.field("points").and_then(|points| points.field(point));
     let point = point.map_or(Some(Term::Constant(0.0)), |point| place(point.text()?))?;
     match (place(body.field("mass centre")?.text()?)?, point) {
         (centre, Term::Constant(0.0)) => Some(centre),
@@ -301,48 +313,4 @@ fn turn_from_start(scene: &mut Node) {
             say(value, reaches.clone());
         }
     }
-}
-
-/// Writes `asin` and `acos` by `atan`, wherever an expression may stand.
-fn inverse_functions(node: &mut Node) {
-    match &mut node.value {
-        Value::Text(text) => {
-            for name in ["asin", "acos"] {
-                while let Some(written) = by_atan(text, name) {
-                    *text = written;
-                }
-            }
-        }
-        Value::List(items) => items.iter_mut().for_each(inverse_functions),
-        Value::Map(fields) => {
-            let numbers =
-                fields.iter_mut().filter(|(name, _)| !name.text().is_some_and(|n| PROSE.contains(&n)));
-            numbers.for_each(|(_, value)| inverse_functions(value));
-        }
-        Value::Empty => {}
-    }
-}
-
-/// The text with the first such function in it written by `atan`; `None` without one whose bracket is closed.
-fn by_atan(text: &str, name: &str) -> Option<String> {
-    let call = format!("{name}(");
-    let named = |at: &usize| !text[..*at].ends_with(|c: char| c.is_alphanumeric() || c == '_');
-    let start = text.match_indices(&call).map(|(at, _)| at).find(named)?;
-    let inside = start + call.len();
-    let mut open = 1;
-    let end = text[inside..].char_indices().find_map(|(at, c)| {
-        open += match c {
-            '(' => 1,
-            ')' => -1,
-            _ => 0,
-        };
-        (open == 0).then_some(inside + at)
-    })?;
-    let x = &text[inside..end];
-    // The half angle, by which neither loses digits near 1.
-    let half = match name {
-        "asin" => format!("({x})/(1 + sqrt(1 - ({x})^2))"),
-        _ => format!("sqrt((1 - ({x}))/(1 + ({x})))"),
-    };
-    Some(format!("{}(2*atan({half})){}", &text[..start], &text[end + 1..]))
 }

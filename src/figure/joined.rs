@@ -1,8 +1,8 @@
 //! The picture of joined bodies in the plane: at the start, with the position considered as a ghost.
 use crate::figure::view::SceneView;
 use crate::figure::{names, parts, say};
+use crate::num::Jet;
 use crate::num::half::Half;
-use crate::num::{Jet, shown};
 use crate::picture::board::{Board, LabelTie, MIDDLE_FIRST, on_arc};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Role, TextRun, symbol};
@@ -1315,7 +1315,8 @@ impl Teller<'_, '_> {
             // One name for each of the two of a half turn.
             return self.way(Num::Fixed(if quarter == -180.0 { 180.0 } else { quarter + 0.0 }), false);
         }
-        let angle = format!("{}°", self.view.words.number(&shown::significant(degrees.rem_euclid(360.0), 3)));
+        let degrees = (degrees.rem_euclid(360.0) * 10.0).round() / 10.0;
+        let angle = format!("{}°", self.view.words.number(&degrees.to_string()));
         self.say("to.angle", &[("angle", &angle)])
     }
     fn joint(&self, kind: JointKind) -> String {

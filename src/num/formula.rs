@@ -37,6 +37,10 @@ pub enum Step<V> {
     Cos,
     /// Tangent of radians.
     Tan,
+    /// Angle of this sine, radians.
+    Asin,
+    /// Angle of this cosine, radians.
+    Acos,
     /// Angle of this tangent, radians.
     Atan,
 }
@@ -88,6 +92,8 @@ impl<V: Copy> Formula<V> {
             Step::Sin => Step::Sin,
             Step::Cos => Step::Cos,
             Step::Tan => Step::Tan,
+            Step::Asin => Step::Asin,
+            Step::Acos => Step::Acos,
             Step::Atan => Step::Atan,
         });
         Formula { steps: steps.collect(), depth: self.depth }
@@ -136,6 +142,20 @@ impl<V: Copy> Formula<V> {
                     let (sine, cosine) = sine_cosine(stack[b]);
                     (b, sine / cosine)
                 }
+                Step::Asin | Step::Acos => {
+                    let (x, one) = (stack[b], T::of(1.0));
+                    // Beyond 1 there is no angle, and about 1 no enclosure of one.
+                    let other = (one - x) * (one + x);
+                    let other = if other.f64() < 0.0 { T::of(f64::NAN) } else { other.root() };
+                    (
+                        b,
+                        if matches!(step, Step::Asin) {
+                            trig::angle(x, other)
+                        } else {
+                            trig::angle(other, x)
+                        },
+                    )
+                }
                 Step::Atan => (b, trig::angle(stack[b], T::of(1.0))),
                 Step::Power(n) => (b, power(stack[b], n)),
                 Step::Add => (a, stack[a] + stack[b]),
@@ -160,7 +180,7 @@ fn scale_of<T: Real, V>(step: Step<V>, stack: &[T], scales: &mut [f64], top: usi
         Step::Pi => scales[top] = Dd::PI.hi,
         Step::Name(_) | Step::Negate | Step::Abs => {}
         Step::Sqrt => scales[b] = scale(b).sqrt(),
-        Step::Sin | Step::Cos | Step::Atan => scales[b] = 1.0,
+        Step::Sin | Step::Cos | Step::Asin | Step::Acos | Step::Atan => scales[b] = 1.0,
         Step::Tan => scales[b] = sine_cosine(stack[b]).1.size().recip(),
         Step::Power(n) => scales[b] = scale(b) * power(size(b), n - 1),
         Step::Add | Step::Subtract => scales[a] = scale(a) + scale(b),

@@ -107,7 +107,8 @@ impl Scene {
             // From one end to the other; what goes round a corner has no direction of its own, and of what counts positive down a slope
             // a picture may show either side.
             (Some((end, Line { slope: Slope::Degrees(_), forward_up, .. })), _) => {
-                (forward_up && own.forward != end.forward).then_some(Aim::Along(end.body, !end.forward))
+                let towards = own.upright.unwrap_or(own.forward);
+                (forward_up && towards != end.forward).then_some(Aim::Along(end.body, !end.forward))
             }
             (Some((_, Line { slope: Slope::Level, .. })), Some(_)) => None,
             (_, Some(up)) => Some(Aim::Upright(up)),

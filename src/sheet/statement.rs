@@ -440,8 +440,7 @@ fn form(
         _ => None,
     };
     if let (Some(JointKind::Hinge { one, .. }), false) = (hinge, scene.is_magnitude(q.label)) {
-        let [name, the] = [names::body_within, names::the_body].map(|name| name(words, scene, one.body));
-        add(&words.say("sheet.acts_on", &[("body", &name), ("the_body", &the)]));
+        add(&words.say("sheet.acts_on", &[("body", &names::body_within(words, scene, one.body))]));
     }
     // Once is enough.
     let unsaid = |phrase: &&str| !q.ask.contains(words.get(phrase));

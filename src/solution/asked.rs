@@ -240,13 +240,18 @@ pub fn expression<V: Copy + PartialEq>(
                 };
                 stack.push((wave, false));
             }
-            Step::Negate | Step::Power(_) | Step::Sqrt | Step::Abs | Step::Atan => {
+            Step::Negate | Step::Power(_) | Step::Sqrt | Step::Abs | Step::Asin | Step::Acos | Step::Atan => {
                 let (x, degrees) = top(&mut stack)?;
                 let x = radians(draft, x, degrees && *step != Step::Negate);
+                // The angle of a sine, by its half, which has a tangent everywhere.
+                let by_half =
+                    |x: Expr| number(2) * arc_tangent(x.clone() / (number(1) + root(number(1) - square(x))));
                 let from = match *step {
                     Step::Negate => -x,
                     Step::Sqrt => root(x),
                     Step::Atan => arc_tangent(x),
+                    Step::Asin => by_half(x),
+                    Step::Acos => Expr::from(draft.pi()) / number(2) - by_half(x),
                     Step::Abs if x.value(&draft.symbols) >= 0.0 => x,
                     Step::Abs => magnitude(x),
                     Step::Power(n) if n < 0 => number(1) / power(x, n.unsigned_abs()),

@@ -2132,9 +2132,57 @@ impl<'d, 'a> Plane<'d, 'a> {
                 (["E_{k}", r"E_{\mathrm{kin}}"].map(str::to_owned), is)
             }
             (Q::T, _) => return self.time(key).ok_or_else(none),
+            (quantity @ (Q::IO | Q::IG | Q::XG | Q::YG), Owner::Scene) => {
+                let names = match quantity {
+                    Q::IO => ["I_O", "J_O"],
+                    Q::IG => ["I_G", "J_G"],
+                    Q::XG => ["x_G", "X_G"],
+                    _ => ["y_G", "Y_G"],
+                };
+                (names.map(str::to_owned), self.whole(quantity).ok_or_else(none)?)
+            }
             _ => return Err(none()),
         };
         Ok(self.page.find(&names, label.quantity.unit(), is))
+    }
+
+    /// Of bodies that are welded into one on a pin: mass centre and moments of inertia, by the theorem of parallel axes.
+    fn whole(&mut self, quantity: Quantity) -> Option<Expr> {
+        let pin = self.scene.only_pin()?;
+        let place = self.spot(pin);
+        let on_pin = self.of_spot(pin);
+        let lines: Vec<Point> = (0..self.bodies.len()).map(|b| self.centre(b)).collect();
+        let mut at = |point: &Point| [0, 1].map(|i| self.at(&point[i], END).expr());
+        let (place, centres): ([Expr; 2], Vec<[Expr; 2]>) = (at(&place), lines.iter().map(at).collect());
+        let masses: Vec<Expr> = self.bodies.iter().map(|b| b.mass.expr()).collect();
+        let own = |b: usize| sum(self.bodies[b].inertia.iter().map(Factors::expr));
+        if let ([mass], [centre]) = (masses.as_slice(), centres.as_slice()) {
+            let [along, aside] = on_pin.map(|x| x.expr());
+            let apart = square(&(self.bodies[0].centre.expr() - along)) + square(&aside);
+            return Some(match quantity {
+                Quantity::IO => own(0) + mass.by(&apart),
+                Quantity::IG => own(0),
+                Quantity::XG => centre[0].clone(),
+                _ => centre[1].clone(),
+            });
+        }
+        let mean = |i: usize| {
+            let moments = masses.iter().zip(&centres).map(|(mass, centre)| mass.by(&centre[i]));
+            sum(moments).over(&sum(masses.iter().cloned()))
+        };
+        let about = |point: [Expr; 2]| {
+            let moved = centres.iter().enumerate().map(|(b, centre)| {
+                let apart = [0, 1].map(|i| square(&(&centre[i] - point[i].clone())));
+                own(b) + masses[b].by(&sum(apart))
+            });
+            sum(moved)
+        };
+        Some(match quantity {
+            Quantity::IO => about(place),
+            Quantity::IG => about([mean(0), mean(1)]),
+            Quantity::XG => mean(0),
+            _ => mean(1),
+        })
     }
 
     /// The time up to the end: given, or that of the key.

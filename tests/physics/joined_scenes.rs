@@ -905,6 +905,29 @@ fn compare(m: &Machine, solved: &Solved, end: &End) -> Result<(), String> {
                 let inertia = m.bodies[b].inertia;
                 (inertia * v[3 * b + 2].abs(), inertia * fastest)
             }
+            ("I_O" | "I_G" | "x_G" | "y_G", Owner::Scene) => {
+                let pin = m.holds.iter().find_map(|hold| match *hold {
+                    Hold::Pin(_, place) => Some(place),
+                    _ => None,
+                });
+                let mass: f64 = m.bodies.iter().map(|b| b.mass).sum();
+                let mean = |i: usize| {
+                    m.bodies.iter().enumerate().map(|(b, body)| body.mass * q[3 * b + i]).sum::<f64>() / mass
+                };
+                let about = |at: V2| -> f64 {
+                    let own = m.bodies.iter().enumerate().map(|(b, body)| {
+                        let apart = length([q[3 * b] - at[0], q[3 * b + 1] - at[1]]);
+                        body.inertia + body.mass * apart * apart
+                    });
+                    own.sum()
+                };
+                match name {
+                    "I_O" => (about(pin.ok_or("no pin")?), 1.0),
+                    "I_G" => (about([mean(0), mean(1)]), 1.0),
+                    "x_G" => (mean(0), 1.0),
+                    _ => (mean(1), 1.0),
+                }
+            }
             ("alpha", Owner::Body(b)) => (a[3 * b + 2] * m.bodies[b].sense, steepest),
             // What rolls on a cylinder turns by an angle of its own.
             ("phi", Owner::Body(b))

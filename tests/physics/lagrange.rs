@@ -784,17 +784,33 @@ impl<'s> System<'s> {
     fn axles(&self, there: &Instant, pulls: &[f64]) -> (Vec<Axle>, Vec<(&'static str, Owner)>) {
         let s = self.s;
         // An axle holds the weight of its body against the pulls of its cords: one to a body on a slope runs along that, any other as
-        // it leaves. Nobody knows the direction of one that goes round a corner.
-        let onward = |e: &End| dot(leaves(s, &self.frames, e).1, self.frames[e.body].forward) > 0.0;
-        let on_slope =
-            |e: &&End| matches!(s.bodies[e.body].way, Way::Along(k) if s.surfaces[k].slope.is_some());
+        // it leaves. Nobody knows the direction of one that goes round a corner, nor what is drawn to the right where a surface is
+        // turned round for a cord that leaves both its bodies to the same side.
+        let leaving = |e: &End| leaves(s, &self.frames, e).1;
+        let onward = |e: &End| dot(leaving(e), self.frames[e.body].forward) > 0.0;
+        let surface = |e: &End| match s.bodies[e.body].way {
+            Way::Along(k) => Some(k),
+            _ => None,
+        };
+        // A wall faces left: what leads upward from it leads on to the right.
+        let rightward = |e: &End| match surface(e) {
+            Some(k) if s.surfaces[k].vertical => leaving(e).1,
+            _ => leaving(e).0,
+        };
+        let turned = s.ties.iter().any(|tie| match tie {
+            Tie::Cord { from, far: Far::To(to) } => {
+                let surfaces = surface(from).zip(surface(to));
+                surfaces.is_some_and(|(one, other)| one != other) && rightward(from) * rightward(to) > 0.0
+            }
+            _ => false,
+        });
         let (mut pins, mut open) = (Vec::new(), Vec::new());
         for (b, body) in s.bodies.iter().enumerate() {
             if !matches!(body.way, Way::Axle) || matches!(body.spread, Spread::Moment(_)) {
                 continue;
             }
             let own = Owner::Body(b);
-            let (mut x, mut y, mut told, mut shared) = (0.0, self.mass[3 * b] * s.gravity.si, true, false);
+            let (mut x, mut y, mut told, mut shared) = (0.0, self.mass[3 * b] * s.gravity.si, !turned, false);
             for (t, tie) in s.ties.iter().enumerate() {
                 let Tie::Cord { from, far } = tie else { continue };
                 let to = if let Far::To(end) = far { Some(end) } else { None };
@@ -811,12 +827,22 @@ impl<'s> System<'s> {
                     Far::Fast | Far::To(_) => there.reactions[t],
                 };
                 shared |= pull.is_none();
-                let mut along = leaves(s, &self.frames, end).1;
-                if let Some(other) = other.filter(on_slope).filter(|_| along.1.abs() < 1e-12) {
-                    // Forward is to the right: of what counts positive down a picture may show either side.
-                    let (right, up) = self.frames[other.body].forward;
-                    told &= onward(end) != onward(other) && right + up > 0.0;
-                    along = times(-1.0, leaves(s, &self.frames, other).1);
+                let mut along = leaving(end);
+                let level = along.1.abs() < 1e-12;
+                if let Some((other, k)) = other.and_then(|other| Some((other, surface(other)?))) {
+                    if s.surfaces[k].slope.is_some() {
+                        // Forward is to the right: of what counts positive down a picture may show either side.
+                        let (right, up) = self.frames[other.body].forward;
+                        let faces = if level {
+                            onward(end) != onward(other)
+                        } else {
+                            along.1 * leaving(other).1 < 0.0
+                        };
+                        told &= faces && right + up > 0.0;
+                        along = times(-1.0, leaving(other));
+                    } else if !s.surfaces[k].vertical {
+                        told &= level;
+                    }
                 }
                 (x, y) = (x - pull.unwrap_or(0.0) * along.0, y - pull.unwrap_or(0.0) * along.1);
             }
