@@ -100,7 +100,7 @@ const fn why(quantity: Quantity) -> &'static str {
         Q::XEq => "it needs a spring",
         Q::VMax | Q::DAtVMax | Q::DTurn => "it needs an end of a body on a line, and a spring or a speed at the start",
         Q::XG | Q::YG | Q::IG => "it needs a body of particles, or a pin that holds bodies in the plane welded into one",
-        Q::IO | Q::PinRadial | Q::PinTangential | Q::PinForce | Q::PinX | Q::PinY | Q::PinAngle => "it needs a pinned body, or one about a fixed axle whose mass and whose cords' directions are told",
+        Q::IO | Q::PinRadial | Q::PinTangential | Q::PinForce | Q::PinX | Q::PinY | Q::PinAngle => "it needs a pinned body, or one about a fixed axle whose mass and whose cords' directions are told, where no cord leaves two bodies on surfaces to the same side",
         Q::SpringForce => "it needs a spring on a pinned body",
         Q::OmegaMax | Q::Period => "it needs a pinned body that swings under its weight alone",
         Q::PeriodSmall | Q::OmegaSmall => "it needs a pinned body that swings under its weight alone, a spring and no friction of sliding, or, of bodies in the plane, `end: equilibrium`",

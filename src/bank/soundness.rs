@@ -216,7 +216,7 @@ fn carrier(scene: &Scene, node: &Node, faults: &Faults) {
     let rules: [SceneRule; 8] = [
         (is(carrier.slope != Slope::Vertical && scene.is_any_turned_round()), "ties",
             "a cord leaves both its bodies to the same side, so one of the two surfaces is drawn turned round, and is carried the other way",
-            "let it leave one body to the right and the other to the left, such as `leaves: forward` on the slope and `leaves: back` on the table"),
+            "let it leave one body to the right and the other to the left, such as `leaves: forward` on the slope and `leaves: back` on the table; the two slopes of a roof are not carried sideways"),
         (hangs.filter(|_| aside), "carried", "`{}` moves vertically, and nothing gives it an acceleration sideways",
             "let it move along a surface of `slope: 90 deg`, which guides it, or write `moves: in the plane` for what swings back"),
         (is(scene.lies_level() && carrier.slope == Slope::Vertical), "carried", "a lift moves across a horizontal plane, not in it",

@@ -1131,12 +1131,10 @@ fn loads(board: &mut Board, view: &SceneView, plane: &PlaneLayout) {
             board.wish(view.size_label(speed, "m/s"), spots, Role::Motion);
         }
         let arriving = arrives.map(|arrives| arrives.spin_rad_s).filter(|spin| view.of(*spin) != 0.0);
-        // What rolls on an arc goes around its middle at another rate than it spins.
-        let on_arc = |joint: &Joint| match joint.kind {
-            JointKind::Contact { at, surface: Surface::Arc { .. }, rolls: true, .. } => at.body == b,
-            _ => false,
-        };
-        let rolls = view.scene.joints.iter().any(on_arc);
+        // What rolls goes another way than it spins.
+        let rolling =
+            |joint: &Joint| matches!(joint.kind, JointKind::Contact { at, rolls: true, .. } if at.body == b);
+        let rolls = view.scene.joints.iter().any(rolling);
         let (middle, radius) =
             match view.scene.planar(b).and_then(|planar| round(view, b, planar)).filter(|_| rolls) {
                 Some(radius) => (plane.centre(view, &plane.start, b), radius * plane.scale + 14.0),
@@ -1158,7 +1156,7 @@ fn loads(board: &mut Board, view: &SceneView, plane: &PlaneLayout) {
 fn heading(view: &SceneView, body: usize) -> Option<Vec2> {
     let numbers = Numbers::<f64>::new(view.scene, &view.variant.data);
     let layout = pose::Layout::new(view.scene, &numbers)?;
-    let (rate, poses) = (layout.start_rate()?, layout.poses::<Jet<f64>>(0.0, true)?);
+    let (rate, poses) = (layout.start_rate()?, layout.poses::<Jet<f64>>(0.0, false)?);
     let along = pose::along(&numbers, view.scene.planar(body)?.centre);
     let [x, y] = poses[body].point([along, 0.0]).map(|x| x.first * rate);
     Some(vec2(x, y)).filter(|way| way.norm() > 0.0).map(Direction::unit)
@@ -1190,13 +1188,12 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
             let turn =
                 if view.scene.planar(b).is_some_and(|p| p.clockwise) { "clockwise" } else { "counter" };
             let sense = match degree {
-                Degree::Turn => view.words.get(&format!("figure.turn.{turn}")).to_owned(),
-                Degree::Along => {
-                    heading(view, b).map_or_else(String::new, |to| teller.heads(to * view.of(num).signum()))
-                }
+                Degree::Turn => Some(view.words.get(&format!("figure.turn.{turn}")).to_owned()),
+                Degree::Along => heading(view, b).map(|to| teller.heads(to * view.of(num).signum())),
             };
+            let positive = sense.map_or_else(String::new, |sense| say("positive", &[("sense", &sense)]));
             let spin = say::text(view, num, given::speed_unit(degree));
-            out.push(say("spin", &[("spin", &spin), ("sense", &sense)]));
+            out.push(say("spin", &[("spin", &spin), ("positive", &positive)]));
         }
     }
     if let Some((lead, planar)) = view.scene.lead().and_then(|l| Some((l, view.scene.planar(l)?))) {

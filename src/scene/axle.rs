@@ -86,9 +86,18 @@ impl Scene {
         known
     }
 
-    /// Is any surface drawn turned round?
+    /// Does a cord leave two bodies on surfaces to the same side, so that a surface is drawn turned round?
     pub fn is_any_turned_round(&self) -> bool {
-        self.turned_round().iter().any(|(_, turned)| *turned)
+        let right = |end: &CordEnd| {
+            let line = self.bodies[end.body].line.filter(|line| line.surface)?;
+            Some(end.forward == line.forward_up)
+        };
+        self.ties.iter().any(|tie| match tie {
+            Tie::Cord(Cord { from, to: Far::Body(to), made, .. }) if *made != Made::Rests => {
+                right(from).zip(right(to)).is_some_and(|(one, other)| one == other)
+            }
+            _ => false,
+        })
     }
 
     /// Is the surface on which a body lies drawn turned round, rising to the left?
@@ -103,6 +112,14 @@ impl Scene {
             return Some(Aim::Tilted(tilt, own.forward));
         }
         let line = other.and_then(|end| Some((end, self.bodies[end.body].line?)));
+        // From axle to axle it is told where it leads from the one to the other.
+        let axle = other.filter(|end| self.bodies[end.body].line.is_none());
+        if let Some(end) = axle
+            && ((own.upright.is_some(), own.upright.unwrap_or(own.forward))
+                != (end.upright.is_some(), !end.upright.unwrap_or(end.forward)))
+        {
+            return None;
+        }
         match (line, own.upright) {
             // From one end to the other; what goes round a corner has no direction of its own, and of what counts positive down a slope
             // a picture may show either side.

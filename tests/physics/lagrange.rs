@@ -800,7 +800,7 @@ impl<'s> System<'s> {
         let turned = s.ties.iter().any(|tie| match tie {
             Tie::Cord { from, far: Far::To(to) } => {
                 let surfaces = surface(from).zip(surface(to));
-                surfaces.is_some_and(|(one, other)| one != other) && rightward(from) * rightward(to) > 0.0
+                surfaces.is_some() && rightward(from) * rightward(to) > 0.0
             }
             _ => false,
         });
@@ -829,6 +829,9 @@ impl<'s> System<'s> {
                 shared |= pull.is_none();
                 let mut along = leaving(end);
                 let level = along.1.abs() < 1e-12;
+                if let Some(other) = other.filter(|e| matches!(s.bodies[e.body].way, Way::Axle)) {
+                    told &= dot(along, leaving(other)) < -0.5;
+                }
                 if let Some((other, k)) = other.and_then(|other| Some((other, surface(other)?))) {
                     if s.surfaces[k].slope.is_some() {
                         // Forward is to the right: of what counts positive down a picture may show either side.

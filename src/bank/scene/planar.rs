@@ -391,16 +391,21 @@ impl SceneReader<'_> {
         let what = "how it moves just before the impact (speed, direction, spin)";
         let mut fields = Fields::open(node, what, self.faults)?;
         let [speed, spin] = fields.each(["speed", "spin"]);
-        let direction = speed.and_then(|_| fields.need("direction", "right"));
         let given =
             |node: Option<&Node>, need| node.map_or(Some(Num::Fixed(0.0)), |n| self.at_start(n, need));
         if WHOLE && (speed.is_none() && spin.is_none() || spin.is_some() && !turns) {
             let hint = "write `{speed: v, direction: right}`, or `{spin: w}` of what turns";
             self.faults.hint(node, "it has no such velocity before the impact", hint);
         }
+        let speed_m_s = given(speed, Need::VELOCITY)?;
+        let direction = if speed_m_s == Num::Fixed(0.0) {
+            fields.get("direction")
+        } else {
+            fields.need("direction", "right")
+        };
         Some(Arrives {
             turns_alone: speed.is_none(),
-            speed_m_s: given(speed, Need::VELOCITY)?,
+            speed_m_s,
             direction_deg: direction.map_or(Some(Num::Fixed(0.0)), |n| self.direction(n, &WHITHER))?,
             spin_rad_s: given(spin, Need::SPIN)?,
         })
