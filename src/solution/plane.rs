@@ -359,6 +359,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         if let Some((c, given)) = this.scene.start_speeds().next() {
             let (tex, unit) = START_NAMES[usize::from(c.degree == Degree::Turn)];
             this.first = this.number(given, tex, unit);
+            // A speed that is told by its direction may let the leading angle fall.
+            let numbers = Numbers::<f64>::new(this.scene, &this.values);
+            let rate = Layout::new(this.scene, &numbers).and_then(|layout| layout.start_rate());
+            if let (Degree::Along, Some(rate)) = (c.degree, rate) {
+                let sense = rate * this.value(&this.first);
+                this.first = in_sense(std::mem::replace(&mut this.first, ZERO), sense);
+            }
         }
         let sets_off = this.scene.is_struck() || this.value(&this.first) != 0.0;
         this.moves = !this.scene.is_still() || sets_off;

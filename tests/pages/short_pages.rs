@@ -521,6 +521,22 @@ fn what_starts_with_a_speed_or_was_measured_comes_to_its_closed_form() {
 const GUIDED: &str = "bank: guided
 title: Guided
 problems:
+  thrown-up:
+    title: A disc that rolls up a slope from a speed
+    data:
+      m1: {name: mass, unit: kg, draw: 2.0 to 3.0 step 0.1}
+      r: {name: radius, unit: m, draw: 0.1 to 0.3 step 0.1}
+      v0: {name: speed, unit: m/s, draw: 2 to 4 step 0.1}
+    scene:
+      bodies: {disc: {mass: m1, shape: {disc: r}, moves: in the plane}}
+      joints: {slope: {rolls: disc, radius: r, along: 20 deg}}
+      start: {disc: {speed: v0}}
+      end: {time: {of: disc, is: 0.1 s}}
+    questions:
+      v: {ask: speed, unit: m/s}
+      v_x: {ask: speed to the right, unit: m/s}
+      phi: {ask: turn, unit: rad}
+    statement: See {{ m1 }}, {{ r }}, {{ v0 }} and {{ g }}.
   inner:
     title: A planet within a ring
     data:
