@@ -195,7 +195,7 @@ fn on_lines(scene: &Scene, all: &mut Gathered) {
             all.add(rates, of, &[Q::A]);
             all.add(rates && line.surface, of, &[Q::Normal]);
         }
-        let axle = rates && !scene.is_any_turned_round() && scene.axle_pulls(b).is_some();
+        let axle = rates && scene.axle_pulls(b).is_some();
         all.add(axle, of, &[Q::PinX, Q::PinY, Q::PinForce, Q::PinAngle]);
     }
     let phases = scene.goes_in_phases();

@@ -38,7 +38,11 @@ impl Scene {
     pub fn axle_pulls(&self, body: usize) -> Option<SmallVec<[(usize, Aim); 2]>> {
         let b = self.bodies.get(body)?;
         let fixed = b.line.is_none() && b.planar.is_none() && b.particles.is_empty();
-        if !fixed || b.massless() || matches!(b.mass, Mass::OfParts) && b.inertia.is_none() {
+        if !fixed
+            || self.is_any_turned_round()
+            || b.massless()
+            || matches!(b.mass, Mass::OfParts) && b.inertia.is_none()
+        {
             return None;
         }
         let mut pulls = SmallVec::new();

@@ -603,7 +603,7 @@ fn a_force_whose_sense_no_word_tells_is_asked_without_a_sign() {
             "guided.yaml",
         )
         .unwrap_or_else(|f| panic!("{f:?}"));
-        let problem = &bank.problems[0];
+        let problem = bank.problems.iter().find(|p| p.id == "inner").unwrap();
         let variant = Maker::new(problem, 7, "guided").variant("0").expect("a variant");
         let label = problem.questions.iter().find(|q| q.id == "force").unwrap().label;
         let key = KeyFrame::new(problem).key(&variant);

@@ -784,33 +784,34 @@ impl<'s> System<'s> {
     fn axles(&self, there: &Instant, pulls: &[f64]) -> (Vec<Axle>, Vec<(&'static str, Owner)>) {
         let s = self.s;
         // An axle holds the weight of its body against the pulls of its cords: one to a body on a slope runs along that, any other as
-        // it leaves. Nobody knows the direction of one that goes round a corner, nor what is drawn to the right where a surface is
-        // turned round for a cord that leaves both its bodies to the same side.
+        // it leaves. Nobody knows the direction of one that goes round a corner, nor what is to the
+        // right where a surface is drawn turned round, for a cord that leaves both its bodies to the same side. A wall faces left: what
+        // leads upward from it leads on to the right.
         let leaving = |e: &End| leaves(s, &self.frames, e).1;
         let onward = |e: &End| dot(leaving(e), self.frames[e.body].forward) > 0.0;
         let surface = |e: &End| match s.bodies[e.body].way {
             Way::Along(k) => Some(k),
             _ => None,
         };
-        // A wall faces left: what leads upward from it leads on to the right.
         let rightward = |e: &End| match surface(e) {
             Some(k) if s.surfaces[k].vertical => leaving(e).1,
-            _ => leaving(e).0,
+            Some(_) => leaving(e).0,
+            None => 0.0,
         };
-        let turned = s.ties.iter().any(|tie| match tie {
-            Tie::Cord { from, far: Far::To(to) } => {
-                let surfaces = surface(from).zip(surface(to));
-                surfaces.is_some() && rightward(from) * rightward(to) > 0.0
-            }
+        let turned = |tie: &Tie| match tie {
+            Tie::Cord { from, far: Far::To(to) } => rightward(from) * rightward(to) > 0.0,
             _ => false,
-        });
+        };
+        if s.ties.iter().any(turned) {
+            return (Vec::new(), Vec::new());
+        }
         let (mut pins, mut open) = (Vec::new(), Vec::new());
         for (b, body) in s.bodies.iter().enumerate() {
             if !matches!(body.way, Way::Axle) || matches!(body.spread, Spread::Moment(_)) {
                 continue;
             }
             let own = Owner::Body(b);
-            let (mut x, mut y, mut told, mut shared) = (0.0, self.mass[3 * b] * s.gravity.si, !turned, false);
+            let (mut x, mut y, mut told, mut shared) = (0.0, self.mass[3 * b] * s.gravity.si, true, false);
             for (t, tie) in s.ties.iter().enumerate() {
                 let Tie::Cord { from, far } = tie else { continue };
                 let to = if let Far::To(end) = far { Some(end) } else { None };
