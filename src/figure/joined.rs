@@ -1309,8 +1309,8 @@ impl Teller<'_, '_> {
         let degrees = to.angle_of().to_degrees();
         let quarter = (degrees / 90.0).round() * 90.0;
         if (degrees - quarter).abs() < 1e-6 {
-            // One name for each of the two of a half turn.
-            return self.way(Num::Fixed(if quarter == -180.0 { 180.0 } else { quarter + 0.0 }), false);
+            // One name for both ends of a half turn.
+            return self.way(Num::Fixed(if quarter < -90.0 { 180.0 } else { quarter + 0.0 }), false);
         }
         let degrees = (degrees.rem_euclid(360.0) * 10.0).round() / 10.0;
         let angle = format!("{}°", self.view.words.number(&degrees.to_string()));

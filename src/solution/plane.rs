@@ -2175,12 +2175,12 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
         let mean = |i: usize| {
             let moments = masses.iter().zip(&centres).map(|(mass, centre)| mass.by(&centre[i]));
-            sum(moments).over(&sum(masses.iter().cloned()))
+            sum(moments).over(sum(masses.iter().cloned()))
         };
         let about = |point: [Expr; 2]| {
             let moved = centres.iter().enumerate().map(|(b, centre)| {
                 let apart = [0, 1].map(|i| square(&(&centre[i] - point[i].clone())));
-                own(b) + masses[b].by(&sum(apart))
+                own(b) + masses[b].by(sum(apart))
             });
             sum(moved)
         };
