@@ -7,9 +7,9 @@ pub use crate::lot::Lot;
 use crate::support;
 use crate::tex;
 use rayon::prelude::*;
-use slipstick::bank::{Problem, load};
+use slipstick::bank::{Problem, labels, load};
 use slipstick::problem::maker::{self, Variant};
-use slipstick::scene::End;
+use slipstick::scene::{End, Quantity};
 use slipstick::solution;
 use slipstick::template::Templates;
 use slipstick::words::Words;
@@ -29,7 +29,11 @@ fn asked(text: &str) -> Option<(Problem, Variant, String)> {
     }
     let scene = &problem.cases[0].scene;
     let numbers = variant.solved.entries.iter().filter(|e| e.value().is_finite()).map(|e| e.label);
-    let mut labels = numbers.chain(variant.solved.words.iter().map(|(label, _)| *label)).peekable();
+    // On level ground that is drawn turned round no direction is asked.
+    let askable = labels::of(scene);
+    let words = variant.solved.words.iter().map(|(label, _)| *label);
+    let words = words.filter(|label| label.quantity != Quantity::Direction || askable.contains(label));
+    let mut labels = numbers.chain(words).peekable();
     labels.peek()?;
     let lines: String = labels
         .enumerate()
