@@ -793,8 +793,19 @@ impl<'s> System<'s> {
             Way::Along(k) => Some(k),
             _ => None,
         };
+        let upward = |e: &End| {
+            let (right, up) = self.frames[e.body].forward;
+            onward(e) == (right + up > 0.0)
+        };
         let rightward = |e: &End| match surface(e) {
             Some(k) if s.surfaces[k].vertical => leaving(e).1,
+            Some(k) if s.surfaces[k].slope.is_some() => {
+                if upward(e) {
+                    1.0
+                } else {
+                    -1.0
+                }
+            }
             Some(_) => leaving(e).0,
             None => 0.0,
         };
@@ -840,7 +851,7 @@ impl<'s> System<'s> {
                         let faces = if level {
                             onward(end) != onward(other)
                         } else {
-                            along.1 * leaving(other).1 < 0.0
+                            (along.1 > 0.0) != upward(other)
                         };
                         told &= faces && right + up > 0.0;
                         along = times(-1.0, leaving(other));
@@ -890,9 +901,24 @@ impl<'s> System<'s> {
     /// The velocities that the start gives, if it gives all and they fit.
     fn set_out(&self, loose: &[Grip]) -> Result<Vec<f64>, Verdict> {
         let modes = self.modes(loose);
-        let rows = self.s.start.iter().map(|(body, spin, v)| {
-            let moving = self.moving(*body, *spin);
-            modes.iter().map(|z| inner(&moving, z)).chain([v.si]).collect()
+        // Of what slips and hangs on nothing the velocity that is not told is 0.
+        let held = |body: usize| {
+            self.s.ties.iter().any(|tie| match tie {
+                Tie::Cord { from, far } => from.body == body || matches!(far, Far::To(to) if to.body == body),
+                Tie::Link { from, to } => [from.body, to.body].contains(&body),
+                _ => false,
+            })
+        };
+        let slips =
+            |body: usize| self.s.ties.iter().any(|t| matches!(t, Tie::Slips { body: b, .. } if *b == body));
+        let told = self.s.start.iter().map(|(body, spin, v)| (*body, *spin, v.si));
+        let alone = |(body, spin, _): &(usize, bool, f64)| {
+            slips(*body) && !held(*body) && !self.s.start.iter().any(|(b, s, _)| b == body && s != spin)
+        };
+        let silent = told.clone().filter(alone).map(|(body, spin, _)| (body, !spin, 0.0));
+        let rows = told.clone().chain(silent).map(|(body, spin, v)| {
+            let moving = self.moving(body, spin);
+            modes.iter().map(|z| inner(&moving, z)).chain([v]).collect()
         });
         let k = modes.len();
         let reduced = reduce(rows.collect(), k);
