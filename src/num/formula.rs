@@ -147,14 +147,8 @@ impl<V: Copy> Formula<V> {
                     // Beyond 1 there is no angle, and about 1 no enclosure of one.
                     let other = (one - x) * (one + x);
                     let other = if other.f64() < 0.0 { T::of(f64::NAN) } else { other.root() };
-                    (
-                        b,
-                        if matches!(step, Step::Asin) {
-                            trig::angle(x, other)
-                        } else {
-                            trig::angle(other, x)
-                        },
-                    )
+                    let [y, x] = if matches!(step, Step::Asin) { [x, other] } else { [other, x] };
+                    (b, trig::angle(y, x))
                 }
                 Step::Atan => (b, trig::angle(stack[b], T::of(1.0))),
                 Step::Power(n) => (b, power(stack[b], n)),

@@ -62,22 +62,31 @@ impl Scene {
         Some(pulls)
     }
 
-    /// The slopes on which bodies lie, and whether a picture turns each surface round: a cord that leads from one surface to another
-    /// leaves one body to the right and the other to the left. From a wall, which faces left, it leads upward to the right.
-    fn turned_round(&self) -> SmallVec<[(Slope, bool); 2]> {
+    /// The cords from surface to surface: the slopes at both ends, and whether they leave the body there to the right. From a wall, which
+    /// faces left, what leads upward leads to the right.
+    fn cords_between_surfaces(&self) -> impl Iterator<Item = [(Slope, bool); 2]> {
         let right = |end: &CordEnd| {
             let line = self.bodies[end.body].line.filter(|line| line.surface)?;
             Some((line.slope, end.forward == line.forward_up))
         };
+        self.ties.iter().filter_map(move |tie| match tie {
+            Tie::Cord(Cord { from, to: Far::Body(to), made, .. }) if *made != Made::Rests => {
+                Some([right(from)?, right(to)?])
+            }
+            _ => None,
+        })
+    }
+
+    /// The slopes on which bodies lie, and whether a picture turns each surface round: a cord that leads from one surface to another
+    /// leaves one body to the right and the other to the left.
+    fn turned_round(&self) -> SmallVec<[(Slope, bool); 2]> {
         let mut known: SmallVec<[(Slope, bool); 2]> = SmallVec::new();
         for line in self.bodies.iter().filter_map(|body| body.line).filter(|line| line.surface) {
             if known.iter().all(|(slope, _)| *slope != line.slope) {
                 known.push((line.slope, false));
             }
             // As often as cords may lead on from what one of them has led to.
-            for tie in self.ties.iter().flat_map(|_| &self.ties) {
-                let Tie::Cord(Cord { from, to: Far::Body(to), .. }) = tie else { continue };
-                let (Some(one), Some(other)) = (right(from), right(to)) else { continue };
+            for [one, other] in self.ties.iter().flat_map(|_| self.cords_between_surfaces()) {
                 for [near, far] in [[one, other], [other, one]] {
                     let turned =
                         |end: (Slope, bool)| Some(known.iter().find(|(slope, _)| *slope == end.0)?.1);
@@ -92,16 +101,7 @@ impl Scene {
 
     /// Does a cord leave two bodies on surfaces to the same side, so that a surface is drawn turned round?
     pub fn is_any_turned_round(&self) -> bool {
-        let right = |end: &CordEnd| {
-            let line = self.bodies[end.body].line.filter(|line| line.surface)?;
-            Some(end.forward == line.forward_up)
-        };
-        self.ties.iter().any(|tie| match tie {
-            Tie::Cord(Cord { from, to: Far::Body(to), made, .. }) if *made != Made::Rests => {
-                right(from).zip(right(to)).is_some_and(|(one, other)| one == other)
-            }
-            _ => false,
-        })
+        self.cords_between_surfaces().any(|[(_, one), (_, other)]| one == other)
     }
 
     /// Is the surface on which a body lies drawn turned round, rising to the left?
