@@ -106,7 +106,8 @@
 //! - A file is written whole or not at all, and so is a new folder. Late joiners come into a set file by file, `set.json` last;
 //!   what a kill leaves of that the next `--add` repairs.
 //!
-//! Who may import whom, and who keeps which crate, stands as a table in `tests/architecture.rs` and is checked there.
+//! Who may import whom, and who keeps which crate, stands as a table in `tests/architecture.rs` and is checked there. [`num`],
+//! [`scene`] and [`solve`] are a package of their own, `src/mechanics.rs`, which the rest is compiled without.
 //!
 //! # Where the next feature goes
 //! A new method: a word in [`solve::method`], its steps in [`num::ode`] or its sum in `solve/energy/quadrature.rs`; [`solve::ladder`]
@@ -135,8 +136,9 @@
 //! Gears and belts join wheels about fixed axles. What carries a whole scene moves along a straight line at a constant acceleration.
 //! One motion follows another without a jerk: what the ties of the second do not allow of the first's speeds is refused.
 #![cfg_attr(not(feature = "program"), allow(dead_code, reason = "a page needs less than the program"))]
-#[macro_use]
-mod worded;
+#[macro_use(worded)]
+extern crate mechanics;
+pub use mechanics::{num, scene, solve};
 
 pub mod answer;
 pub mod bank;
@@ -160,7 +162,6 @@ pub mod manual;
 #[cfg(feature = "program")]
 pub mod matches;
 pub mod misconception;
-pub mod num;
 pub mod page;
 #[cfg(feature = "program")]
 pub mod picture;
@@ -174,7 +175,6 @@ mod regrade;
 pub mod report;
 #[cfg(feature = "program")]
 mod review;
-pub mod scene;
 #[cfg(feature = "program")]
 pub mod set;
 #[cfg(feature = "program")]
@@ -183,7 +183,6 @@ pub mod sheet;
 pub mod simulate;
 #[cfg(feature = "program")]
 pub mod solution;
-pub mod solve;
 #[cfg(feature = "program")]
 pub mod template;
 pub mod tutor;

@@ -1,6 +1,7 @@
 //! Words that stand for the cases of an enum: how files, tables and people write each, said once.
 
 /// An enum each of whose cases is a word, in the order in which messages and summaries name them.
+#[macro_export]
 macro_rules! worded {
     ($(#[$about:meta])* $name:ident { $($(#[$of:meta])* $case:ident $word:literal,)* }) => {
         $(#[$about])*

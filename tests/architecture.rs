@@ -322,6 +322,7 @@ const DOORS: &[(&str, &[&str])] = &[
     ("regrade", &["csv_field", "grade", "answer", "key", "policy", "finding"]),
     ("cli", &["*"]),
     ("main", &["cli"]),
+    ("mechanics", &[]),
     ("lib", &[]),
 ];
 

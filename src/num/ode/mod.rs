@@ -159,7 +159,7 @@ impl Sum {
 /// A solution on its way: where it is, and how it goes on.
 ///
 /// ```
-/// use slipstick::num::ode::{Formula, Pace, Run};
+/// use mechanics::num::ode::{Formula, Pace, Run};
 /// // q'' = -q from q = 0, u = 1 to q = 1/2: the time is pi/6.
 /// let field = |_: f64, y: &[f64; 2]| [y[1], -y[0]];
 /// let pace = Pace::Adaptive { rtol: 1e-13, first: 0.1 };
