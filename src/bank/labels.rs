@@ -107,6 +107,7 @@ const fn why(quantity: Quantity) -> &'static str {
         Q::Moment => "it needs a weld or a torsion spring",
         Q::Drive => "it needs a driven body: `start: {crank: {angle: phi, spin: w, alpha: 0 rad/s^2}}` and `end: at once`",
         Q::ImpulseX | Q::ImpulseY => "it needs a pin or a hinge, and an impulse under `forces`",
+        Q::FrictionImpulse => "it needs a body that `rolls` in the plane, and an impulse under `forces`",
         Q::Work => "it needs a motion on lines without a spring, and no slip from a speed at the start",
         Q::VX | Q::VY | Q::AX | Q::AY => "it needs a body that moves in the plane",
         Q::T | Q::RotationalFraction | Q::KineticEnergy => "it needs a motion, the time one without a force that grows with place",

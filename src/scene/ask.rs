@@ -103,11 +103,12 @@ quantities! {
     WorkCouple "work_couple" "J" Signed "work of the couples on the body";
     PowerCouple "power_couple" "W" Signed "power of the couples on the body at the end";
     Work "work" "J" Signed "work of all forces together, from the start to the end";
-    Impulse "impulse" "N*s" Signed "impulse of all forces on the body, positive forward; of a joint its impulse at a blow";
+    Impulse "impulse" "N*s" Signed "impulse of all forces on the body, positive forward; of a joint its impulse at a blow, of a surface the part at right angles to it";
     Moment "moment" "N*m" Signed "couple of a weld on its first body, positive counter-clockwise; of a torsion spring on its body, positive as its angle grows";
     Drive "drive" "N*m" Signed "couple that drives a body so that it turns as it is said to, positive with growing angle";
     ImpulseX "impulse_x" "N*s" Signed "impulse of a pin or hinge on its first body at a blow, positive to the right";
     ImpulseY "impulse_y" "N*s" Signed "impulse of a pin or hinge on its first body at a blow, positive up";
+    FrictionImpulse "friction_impulse" "N*s" Signed "impulse of the friction of a surface on what rolls on it, at a blow, positive up the surface or to the right";
     AngularMomentum "angular_momentum" "kg*m^2/s" Magnitude "angular momentum about the mass centre, or about the axle or the pin, at the end, a magnitude";
     FrictionIfRolled "friction_if_rolled" "N" Directed "friction that rolling without slipping would need, positive up the incline";
     KBound "k_bound" "m" Magnitude "radius of gyration below which friction points up the incline at this pull";

@@ -553,11 +553,15 @@ pub fn blows<T: Real>(scene: &Scene, n: &Numbers<T>) -> f64 {
     blows.map(|p| n.massive(p.force_n).size()).chain(scene.arrivals().map(momentum)).sum()
 }
 
-/// Sum of the distances of all points from the origins of their axes, and of radii, m: what lengths and speeds are small beside.
+/// Sum of what each body reaches, from the origin of its axes to its farthest point, and of radii, m: what lengths and speeds are small
+/// beside.
 pub fn size<T: Real>(scene: &Scene, n: &Numbers<T>) -> f64 {
     let bodies = scene.bodies.iter().filter_map(|b| b.planar.as_ref());
-    let places = bodies.flat_map(|p| p.points.iter().flat_map(|(_, place)| *place).chain([p.centre]));
-    let rods: f64 = places.map(|place| along(n, place).size()).sum();
+    let reach = |p: &Planar| {
+        let points = p.points.iter().map(|(_, at)| at.map(|x| along(n, x).size()).iter().sum());
+        points.fold(along(n, p.centre).size(), f64::max)
+    };
+    let rods: f64 = bodies.map(reach).sum();
     let round = scene.joints.iter().map(|joint| match joint.kind {
         JointKind::Contact { radius_m, surface: Surface::Arc { radius_m: arc, .. }, .. } => {
             n.get(radius_m).size() + n.get(arc).size()

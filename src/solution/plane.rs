@@ -2206,7 +2206,11 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn of_pivot(&mut self, label: Label) -> Result<Option<SymbolId>, DerivationStop> {
         use Quantity as Q;
         if let Some(blow) = self.blow.clone() {
-            if let (Q::Impulse | Q::ImpulseX | Q::ImpulseY, Owner::Joint(j)) = (label.quantity, label.of) {
+            let impulses = matches!(
+                label.quantity,
+                Q::Impulse | Q::ImpulseX | Q::ImpulseY | Q::FrictionImpulse
+            );
+            if let (true, Owner::Joint(j)) = (impulses, label.of) {
                 return Ok(self.impulse_of(&blow, j, label.quantity));
             }
             let free = self.scene.end == End::AtOnce && self.pivot.is_none() && blow.from_rest;
@@ -2315,7 +2319,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn impulse_of(&mut self, blow: &Blow, joint: usize, quantity: Quantity) -> Option<SymbolId> {
         let own = blow.impulses.iter().filter(|(j, _)| *j == joint);
         let own: Vec<SymbolId> = own.map(|(_, symbol)| *symbol).collect();
-        let i = usize::from(quantity == Quantity::ImpulseY);
+        let i = usize::from(matches!(quantity, Quantity::ImpulseY | Quantity::FrictionImpulse));
         if !self.pivot.as_ref().is_some_and(|p| p.radial) {
             return own.get(i).copied();
         }

@@ -13,8 +13,9 @@ use crate::solve::outcome::{Refusal, Road, Said, Scope};
 const PLACES: u32 = 16;
 /// Halvings of a place of the range at whose one end there is nothing to measure.
 const HALVINGS: u32 = 50;
-/// Relative step of the last correction: the solution is linear over it up to 2^-78.
-const STEP: f64 = pow2(-26);
+/// Relative step of the last correction, in doubles and in 32 digits: the slope is good to half of the digits in doubles; in 32 the
+/// correction, of some 2^-53, is still good to 2^-78 where the solution bends within 2^-25 of the root, as just above a least speed.
+const STEPS: [f64; 2] = [pow2(-26), pow2(-44)];
 /// The last correction may not be larger than this: beyond it what is linear over a step no longer tells the root.
 const NEAR: f64 = pow2(-34);
 /// Half-widths that are tried about the root, as powers of 2 of its size.
@@ -110,22 +111,23 @@ fn road<T: Real>(found: &Found, data: &[f64], forward: &Forward<T>) -> Result<Ro
     }
     at[unknown] = root;
     let mut near = forward.exact(&at)?;
-    at[unknown] = root * (1.0 + STEP);
+    let step = STEPS[usize::from(!T::is_double())];
+    at[unknown] = root * (1.0 + step);
     let beside = forward.exact(&at)?;
     let (y0, y1) = (miss(found, &near, data), miss(found, &beside, data));
     let (Some(y0), Some(y1)) = (y0, y1) else { return Err(Refusal::NotFound) };
     // The share of the step at which nothing is missing.
     let share = -(y0 / (y1 - y0));
-    let settled = share.size() * STEP < NEAR;
+    let settled = share.size() * step < NEAR;
     if !settled && !T::is_double() {
         return Err(Refusal::NotFound);
     }
     let correct = |said: &mut Said<T>| {
         // What is endless stays so.
-        if let Some(step) =
-            beside.get(said.label).map(|other| other.value - said.value).filter(|s| s.is_finite())
+        if let Some(change) =
+            beside.get(said.label).map(|other| other.value - said.value).filter(|c| c.is_finite())
         {
-            said.value = said.value + share * step;
+            said.value = said.value + share * change;
         }
     };
     near.said.iter_mut().for_each(correct);

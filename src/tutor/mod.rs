@@ -464,7 +464,7 @@ const fn group(quantity: Quantity) -> &'static str {
         Q::CordTravel | Q::Displacement | Q::Distance | Q::Phi | Q::Rise | Q::DTurn => "way",
         Q::SlipDistance | Q::SlipSpeed => "slip",
         Q::Heat | Q::WorkPull | Q::PowerPull | Q::WorkCouple | Q::PowerCouple | Q::Work => "work",
-        Q::Impulse | Q::ImpulseX | Q::ImpulseY | Q::AngularMomentum => "momentum",
+        Q::Impulse | Q::ImpulseX | Q::ImpulseY | Q::FrictionImpulse | Q::AngularMomentum => "momentum",
         Q::KineticEnergy | Q::RotationalFraction => "energy",
         Q::XEq | Q::DAtVMax => "equilibrium",
         Q::XG | Q::YG => "centre",

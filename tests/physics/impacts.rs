@@ -97,6 +97,22 @@ fn a_rod_throws_a_ball_back() {
     );
 }
 
+/// A cylinder that is struck at its axle, and rolls at once: v = 2 J / 3 m, and friction gives the spin, S = J / 3.
+#[test]
+fn friction_has_an_impulse_where_a_wheel_is_struck() {
+    let scene = "
+bodies: {cylinder: {mass: 5 kg, shape: {cylinder: 0.1 m}, moves: in the plane, angle: from up clockwise}}
+joints: {floor: {rolls: cylinder, radius: 0.1 m, along: horizontal}}
+forces: [impulse: {on: cylinder.A, magnitude: 6 N*s, direction: right}]
+start: {cylinder: {angle: 0 deg}}
+end: at once
+";
+    let found = told(scene, &["cylinder.v_x", "floor.friction_impulse", "floor.impulse"]);
+    all_near(&found, &[0.8, -2.0, 0.0], 1e-13);
+    let down = told(&scene.replace("right", "210 deg"), &["floor.friction_impulse", "floor.impulse"]);
+    all_near(&down, &[6.0 * 30.0_f64.to_radians().cos() / 3.0, 3.0], 1e-13);
+}
+
 /// Hibbeler, example 19.6: a wheel meets a step, about whose edge it turns; 0.729 m/s are just enough.
 #[test]
 fn a_wheel_rolls_over_a_step() {

@@ -877,6 +877,8 @@ fn compare(m: &Machine, solved: &Solved, end: &End) -> Result<(), String> {
     let mut faults = Vec::new();
     for e in &solved.entries {
         let name = e.label.quantity.name();
+        // The rows of a joint that holds answer a blow as they answer forces.
+        let (answers, most) = if name.ends_with("impulse") { (&blows, kicks) } else { (&forces, pulls) };
         let (want, size) = match (name, e.label.of) {
             ("t", _) => (t, t),
             ("kinetic_energy", _) => {
@@ -961,18 +963,18 @@ fn compare(m: &Machine, solved: &Solved, end: &End) -> Result<(), String> {
                 }
                 continue;
             }
-            ("friction", Owner::Joint(j)) => match m.holds[j] {
+            ("friction" | "friction_impulse", Owner::Joint(j)) => match m.holds[j] {
                 Hold::Guide(_, _, direction, _, Some(mu)) => {
                     let u = unit(radians(direction));
                     (-mu * forces[first[j]] * senses[j] * up(u), pulls)
                 }
-                Hold::Line(.., direction) => (forces[first[j] + 1] * up(unit(radians(direction))), pulls),
+                Hold::Line(.., direction) => (answers[first[j] + 1] * up(unit(radians(direction))), most),
                 Hold::Arc(at, _, _, axis, _, inside) => {
                     let out = plus(judge.place(q, at), -1.0, axis);
                     let right = if inside { [-out[1], out[0]] } else { [out[1], -out[0]] };
-                    (forces[first[j] + 1] * up(right), pulls)
+                    (answers[first[j] + 1] * up(right), most)
                 }
-                _ => (forces[first[j] + 1], pulls),
+                _ => (answers[first[j] + 1], most),
             },
             ("spring_force" | "moment", Owner::Strut(s)) => {
                 let mut springs = m.loads.iter().filter_map(|load| match *load {

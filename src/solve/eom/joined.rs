@@ -1039,11 +1039,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         if let (Some(pinned), Some((_, rung_asks))) = (&self.pendulum, by) {
             self.step_through(teller, pinned, rung_asks)?;
         }
-        let size = self.mechanism.size();
         for (b, body) in scene.bodies.iter().enumerate() {
-            let (high, low) = (self.mechanism.height(&state, b), self.mechanism.height(first, b));
             if body.planar.is_some() && teller.pinned.is_none() {
-                teller.say_scaled(Quantity::Rise, Owner::Body(b), high - low, size);
+                teller.tell_risen(b, self.mechanism.height(first, b), self.mechanism.height(&state, b));
             }
         }
         let speed = stop.half_square.scale2(1).root().signed(self.sense);

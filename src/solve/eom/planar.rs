@@ -993,6 +993,12 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let (_, _, apart) = self.strut(poses, s.at, &s.to);
         dot(apart, apart).root().balance(-self.natural[strut])
     }
+    /// The force of a spring that is stretched by its natural length, N, or the moment of one that is turned by 1 rad, N m.
+    pub fn measure(&self, strut: usize) -> f64 {
+        let s = &self.scene.struts[strut];
+        let by = if s.twists() { T::of(1.0) } else { self.natural[strut] };
+        (self.n.massive(s.stiffness_n_m) * by).size()
+    }
     /// Where springs that only push or pull are met or let go of on a way from the start: which, and the leading angle.
     pub fn meets(&self, sense: f64, far: (T, T)) -> SmallVec<[(usize, T); 4]> {
         let one_sided = |s: &usize| self.scene.struts[*s].acts != Acts::Both;

@@ -1,6 +1,7 @@
 //! Instants of joined bodies: just after a blow, as they are driven, or as they set off.
 use crate::num::Real;
 use crate::scene::{Owner, Quantity};
+use crate::solve::eom::joined::tell::beside;
 use crate::solve::eom::joined::{Teller, rubbing, sliding};
 use crate::solve::eom::planar::Response;
 use crate::solve::outcome::{self, Course, Refusal};
@@ -59,7 +60,8 @@ fn driven<T: Real>(teller: &mut Teller<T>, alpha: T, spin: T) -> Result<(), Refu
     let driven = |rubs: &[f64]| mechanism.driven(&state, rubs, (alpha, spin.square()));
     let rubs = rubbing(mechanism, &slides, spin.square(), &|rubs| Ok(driven(rubs)?.0))?;
     let (response, moment) = driven(&rubs)?;
-    let size = moment.size() + teller.pulls() * mechanism.size();
+    let arm = mechanism.size();
+    let size = beside(moment.size() + teller.pulls() * arm, teller.loads(spin.square()) * arm);
     teller.say_scaled(Quantity::Drive, Owner::Body(mechanism.lead), moment, size);
     teller.watch(&response, spin.square());
     let lead = mechanism.leading(&response);

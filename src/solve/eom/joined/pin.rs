@@ -250,10 +250,17 @@ impl<T: Real> Teller<'_, '_, T> {
     }
 
     /// The force of the pin of a body along its axis, toward the pin, and across, positive with a growing angle.
-    pub fn tell_along(&mut self, state: &State<T>, response: &Response<T>, square: T, [x, y]: [T; 2]) {
+    /// `scale` is what adds up to it.
+    pub fn tell_along(
+        &mut self,
+        state: &State<T>,
+        response: &Response<T>,
+        square: T,
+        [x, y]: [T; 2],
+        scale: f64,
+    ) {
         let (mechanism, Some(body)) = (self.mechanism, self.pinned) else { return };
         let ([c, s], sense) = (mechanism.axis(state, body), mechanism.sense(body));
-        let scale = x.size() + y.size() + self.pulls();
         let radial = -(x * c).balance(y * s);
         let mut across = ((y * c).balance(-(x * s)).signed(sense), scale);
         // Of a body whose mass sits at its centre it is a small difference, but not of the moments about that.

@@ -3,7 +3,7 @@ use crate::num::dd::pow2;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, gauss, root, trig};
 use crate::scene::pose::Obstacle;
-use crate::scene::{Acts, JointKind, Label, Owner, Quantity, Spot, pose};
+use crate::scene::{Acts, JointKind, Label, Owner, Quantity, Spot, StrutEnd, pose};
 use crate::solve::eom::joined::{BESIDE, Fine, Gain, Motion, PUSHES, SHORT, SHORTEST, Teller, look};
 use crate::solve::eom::planar::{LOOKED_THROUGH, Response, State};
 use crate::solve::outcome::{Course, Held, Refusal, Said};
@@ -15,8 +15,13 @@ const PIECES: f64 = 9.0;
 /// An equilibrium is indifferent whose stiffness is below this share of what forces could give it.
 const INDIFFERENT: f64 = 1e-9;
 
+/// Sum of the magnitudes.
+fn sizes<T: Real>(parts: &[T]) -> f64 {
+    parts.iter().map(|part| part.size()).sum()
+}
+
 /// The terms of something: where they come to no more than rounding would leave of these loads, those are what cancels.
-fn beside(terms: f64, loads: f64) -> f64 {
+pub fn beside(terms: f64, loads: f64) -> f64 {
     if loads.is_finite() && terms < f64::EPSILON * loads { loads } else { terms }
 }
 
@@ -47,6 +52,12 @@ fn slope<T: Real>(value: &dyn Fn(T) -> Result<T, Refusal>, at: T, widest: T) -> 
 }
 
 impl<T: Real> Teller<'_, '_, T> {
+    /// How far the mass centre of a body is above where it began.
+    pub fn tell_risen(&mut self, body: usize, from: T, to: T) {
+        let rise = (to - from).cleared(self.mechanism.size());
+        self.say_scaled(Quantity::Rise, Owner::Body(body), rise, sizes(&[from, to]));
+    }
+
     pub fn say(&mut self, quantity: Quantity, of: Owner, value: T) {
         self.say_scaled(quantity, of, value, value.size());
     }
@@ -121,8 +132,7 @@ impl<T: Real> Teller<'_, '_, T> {
         self.say_scaled(Quantity::Phi, of, mechanism.turned(way.abs()), 1.0);
         let ((first, _), (state, response)) = (at(T::zero())?, at(way)?);
         for b in 0..scene.bodies.len() {
-            let risen = mechanism.height(&state, b) - mechanism.height(&first, b);
-            self.say_scaled(Quantity::Rise, Owner::Body(b), risen, mechanism.size());
+            self.tell_risen(b, mechanism.height(&first, b), mechanism.height(&state, b));
         }
         self.tell_forces(&state, &response, T::zero(), smooth);
         self.watch(&response, T::zero());
@@ -233,7 +243,7 @@ impl<T: Real> Teller<'_, '_, T> {
     }
 
     /// Velocities and energy at this rate of what leads, with the accelerations where they are told.
-    pub fn tell_motion(&mut self, state: &State<T>, rate: T, response: Option<(&Response<T>, f64, f64)>) {
+    pub fn tell_motion(&mut self, state: &State<T>, rate: T, response: Option<(&Response<T>, &[f64], f64)>) {
         let (scene, mechanism) = (self.scene, self.mechanism);
         let (mut energy, mut heavy) = (T::zero(), 0.0);
         // The fastest point moves no faster than this share of the leading angle's rate.
@@ -248,18 +258,18 @@ impl<T: Real> Teller<'_, '_, T> {
             self.say_scaled(Quantity::V, of, speed, fastest);
             self.say_scaled(Quantity::VX, of, vx, fastest);
             self.say_scaled(Quantity::VY, of, vy, fastest);
-            if let Some((response, pulls, _)) = response {
+            if let Some((response, on, _)) = response {
                 let mut seen = mechanism.acceleration(response, b, rate.square());
                 for (a, with) in seen.iter_mut().zip(self.n.carried.iter().flatten()) {
                     *a = a.balance(plant!("eom: acceleration of the carrier in the plane", *with));
                 }
-                let [ax, ay] = seen;
-                let size = ax.size()
-                    + ay.size()
-                    + if numbers.mass.is_zero() { 0.0 } else { pulls / numbers.mass.size() };
-                let size = beside(size, self.loads(rate.square()) / numbers.mass.size());
-                self.say_scaled(Quantity::AX, of, ax, size);
-                self.say_scaled(Quantity::AY, of, ay, size);
+                let own = sizes(&seen);
+                let of_force =
+                    |force: f64| if numbers.mass.is_zero() { own } else { force / numbers.mass.size() };
+                let noise = beside(own + of_force(self.pulls()), of_force(self.loads(rate.square())));
+                for (quantity, a) in [Quantity::AX, Quantity::AY].into_iter().zip(seen) {
+                    self.say_scaled(quantity, of, a.cleared(noise), of_force(on[b]));
+                }
             }
             if body.turns {
                 let spin = mechanism.spin(state, b) * rate;
@@ -303,7 +313,8 @@ impl<T: Real> Teller<'_, '_, T> {
         let all = lead.0.size() + lead.1.size() * square.size() + square.size() + free;
         // Of a body on a pin its own terms measure them.
         let terms = if self.pinned.is_some() { self.terms(state) } else { all };
-        self.tell_motion(state, rate, Some((response, self.pulls(), terms)));
+        let on = self.forces_on(state, response, square);
+        self.tell_motion(state, rate, Some((response, &on, terms)));
         self.tell_spin(state, rate);
         self.tell_whole(state);
         self.tell_forces(state, response, square, sliding);
@@ -342,7 +353,7 @@ impl<T: Real> Teller<'_, '_, T> {
 
     /// Forces that may cancel where nothing has a weight, at this square of the rate of the leading angle: what drives, and what
     /// keeps masses on their ways; 0 of a body on a pin, which its own terms measure.
-    fn loads(&self, square: T) -> f64 {
+    pub fn loads(&self, square: T) -> f64 {
         let size = self.mechanism.size();
         let masses: f64 = self.n.bodies.iter().map(|b| b.mass.size()).sum();
         if size > 0.0 && self.pinned.is_none() {
@@ -352,42 +363,75 @@ impl<T: Real> Teller<'_, '_, T> {
         }
     }
 
-    /// The forces of joints and springs at this square of the rate of the leading angle.
+    /// For each body what adds up to a force on it, N: its weight, its mass times its acceleration, and what acts on it.
+    fn forces_on(&self, state: &State<T>, response: &Response<T>, square: T) -> SmallVec<[f64; 4]> {
+        let (scene, n, mechanism) = (self.scene, self.n, self.mechanism);
+        let inertial = |b: usize| {
+            let with = n.carried.map_or(0.0, |with| sizes(&with));
+            let rate = sizes(&mechanism.acceleration(response, b, square));
+            n.bodies[b].mass.size() * (n.gravity.size() + with + rate)
+        };
+        let mut on: SmallVec<[f64; 4]> = (0..scene.bodies.len()).map(inertial).collect();
+        let mut add = |spot: Spot, force: f64| on[spot.body] += force;
+        for (j, joint) in scene.joints.iter().enumerate() {
+            let force = mechanism.reaction(response, j, square).map_or(0.0, |force| sizes(&force));
+            joint.kind.spots().for_each(|spot| add(spot, force));
+        }
+        for (s, strut) in scene.struts.iter().enumerate().filter(|(_, strut)| !strut.twists()) {
+            let tension = mechanism.tension(state, s).size();
+            add(strut.at, tension);
+            if let StrutEnd::Spot(other) = strut.to {
+                add(other, tension);
+            }
+        }
+        scene.pushes.iter().filter(|p| !p.blow).for_each(|p| add(p.at, n.massive(p.force_n).size()));
+        on
+    }
+
+    /// The forces of joints and springs at this square of the rate of the leading angle. The terms of the force of a joint are what
+    /// acts on the one of its bodies on which that is least: from that it is worked out.
     pub fn tell_forces(&mut self, state: &State<T>, response: &Response<T>, square: T, sliding: &[f64]) {
         let (scene, mechanism, pulls) = (self.scene, self.mechanism, self.pulls());
         let loads = self.loads(square);
+        let on = self.forces_on(state, response, square);
         for (j, joint) in scene.joints.iter().enumerate() {
             let of = Owner::Joint(j);
             let quantities = joint.kind.forces();
-            let Some(force) = mechanism.reaction(response, j, square) else {
+            let Some(mut force) = mechanism.reaction(response, j, square) else {
                 self.road.leaves_open(of, quantities);
                 continue;
             };
+            for f in &mut force {
+                *f = f.cleared(beside(f.size() + pulls, loads));
+            }
+            let terms = joint.kind.spots().map(|spot| on[spot.body]).fold(f64::INFINITY, f64::min);
+            let terms = beside(terms, loads);
             for (quantity, force) in quantities.iter().zip(&force) {
-                self.say_scaled(*quantity, of, *force, beside(force.size() + pulls, loads));
+                let arm = if *quantity == Quantity::Moment { mechanism.size() } else { 1.0 };
+                self.say_scaled(*quantity, of, *force, terms * arm);
             }
             if let (JointKind::Guide { mu_k: Some(mu), .. }, [normal]) = (joint.kind, force.as_slice()) {
                 let up = pose::upward(mechanism.line(state, j));
                 let most = plant!("eom: friction that is told", self.n.get(mu)) * *normal;
                 let friction = -most.signed(sliding[j]).signed(up);
-                self.say_scaled(Quantity::Friction, of, friction, force[0].size() + pulls);
+                self.say_scaled(Quantity::Friction, of, friction, terms);
             }
-            if let ([x, y, ..], [_, Quantity::PinY, ..]) = (force.as_slice(), quantities) {
-                let [x, y] = [x, y].map(|f| f.cleared(f.size() + pulls));
-                self.tell_along(state, response, square, [x, y]);
+            if let (&[x, y, ..], [_, Quantity::PinY, ..]) = (force.as_slice(), quantities) {
+                self.tell_along(state, response, square, [x, y], terms);
                 let force = (x.square() + y.square()).root();
-                self.say_scaled(Quantity::PinForce, of, force, force.size() + pulls);
+                self.say_scaled(Quantity::PinForce, of, force, terms);
                 if self.asked.quantities.has(Quantity::PinAngle) && !force.is_zero() {
-                    self.say_scaled(Quantity::PinAngle, of, trig::angle(y, x), pulls / force.size());
+                    self.say_scaled(Quantity::PinAngle, of, trig::angle(y, x), terms / force.size());
                 }
             }
         }
         for (s, strut) in scene.struts.iter().enumerate() {
             let (of, force) = (Owner::Strut(s), mechanism.tension(state, s));
+            let terms = force.size() + 2.0 * mechanism.measure(s);
             if strut.twists() {
-                self.say_scaled(Quantity::Moment, of, -force, force.size() + pulls * mechanism.size());
+                self.say_scaled(Quantity::Moment, of, -force, terms);
             } else {
-                self.say_scaled(Quantity::SpringForce, of, force, force.size() + pulls);
+                self.say_scaled(Quantity::SpringForce, of, force, terms);
             }
         }
     }
