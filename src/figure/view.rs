@@ -1,5 +1,6 @@
 //! A variant as a picture sees it: numbers of the scene, their symbols and drawn values as label text, words.
 use crate::bank::{FigureLabels, Problem, expression};
+use crate::num::shown;
 use crate::picture::{RunStyle, TextRun, symbol};
 use crate::problem::maker::Variant;
 use crate::scene::{
@@ -135,7 +136,7 @@ impl<'a> SceneView<'a> {
                     _ => Vec::new(),
                 }
             }
-            Num::Fixed(x) => symbol::quantity(&self.words.number(&format!("{x}")), unit),
+            Num::Fixed(x) => symbol::quantity(&self.words.number(&shown::constant(x)), unit),
             // Its symbols say it; their values stand elsewhere.
             Num::Derived(_) => Vec::new(),
         }

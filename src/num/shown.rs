@@ -100,6 +100,11 @@ pub fn rounded(value: f64, to_figures: usize) -> f64 {
     nearest(&figures(value, to_figures)).unwrap_or(value)
 }
 
+/// A number that a bank wrote, perhaps in another unit, in SI: as it stands where six figures write it, else with five.
+pub fn constant(value: f64) -> String {
+    if rounded(value, 6).to_bits() == value.to_bits() { format!("{value}") } else { significant(value, 5) }
+}
+
 /// At most so many decimals, without zeros at their end: `12.5` for three.
 pub fn at_most_decimals(value: f64, most: usize) -> String {
     without_zeros(&decimals(value, most))
@@ -124,6 +129,13 @@ mod tests {
 
     fn exact(text: &str) -> DBig {
         DBig::from_str(text).expect(text)
+    }
+
+    #[test]
+    fn a_constant_is_written_briefly() {
+        let [stiffness, spin] = [10.0 * 14.593_902_937_206_363, 100.0 * std::f64::consts::PI / 30.0];
+        assert_eq!([constant(stiffness), constant(spin)], ["145.94", "10.472"]);
+        assert_eq!([constant(0.3048), constant(-12.5), constant(1e6)], ["0.3048", "-12.5", "1000000"]);
     }
 
     // The tests before this one held rounding against the formatting of the standard library, which rounds the binary number:

@@ -224,7 +224,9 @@ pub fn word_signs(scene: &Scene, label: Label) -> Option<WordSigns> {
         (Q::A | Q::ARolling | Q::Displacement | Q::Impulse | Q::Friction | Q::FrictionIfRolled, None) => {
             of.map_or(forward, |b| along(scene, b, rubs))
         }
-        (Q::Friction | Q::FrictionImpulse, Some(kind)) if kind.is_level(scene) => WordSigns { right: 1, ..forward },
+        (Q::Friction | Q::FrictionImpulse, Some(kind)) if kind.is_level(scene) => {
+            WordSigns { right: 1, ..forward }
+        }
         (Q::Friction | Q::FrictionImpulse, Some(_)) => up,
         // To the left of the guide.
         (Q::Normal | Q::Impulse, Some(JointKind::Guide { line, .. })) => {

@@ -489,7 +489,7 @@ impl Scene {
     }
     /// Is this asked as a number that is never negative, or no number at all? The normal force of a fixed guide that holds on both
     /// sides has a sense that words tell; of one that a body carries, or that is drawn, and of a force along a rim the size is asked.
-    /// A spring that pushes, too, may be shortened at equilibrium.
+    /// Of a spring that only pushes, or only pulls, the size is asked; one that does both may be shortened at equilibrium.
     pub fn is_magnitude(&self, label: Label) -> bool {
         let joint = match label.of {
             Owner::Joint(j) => self.joints.get(j).map(|joint| joint.kind),
@@ -500,10 +500,16 @@ impl Scene {
             _ => None,
         };
         let fixed = line.is_some_and(|line| line.fixed_deg(&self.bodies, false).is_some());
+        let strut = match label.of {
+            Owner::Strut(s) => self.struts.get(s),
+            Owner::Body(b) => self.struts.iter().find(|strut| strut.at.body == b && !strut.twists()),
+            _ => None,
+        };
         let on_joint = matches!(joint, Some(JointKind::Guide { .. } | JointKind::Contact { .. }));
         match label.quantity {
             Quantity::Normal => !fixed,
             Quantity::Impulse if on_joint => !fixed,
+            Quantity::SpringForce => strut.is_some_and(|strut| strut.acts != Acts::Both),
             Quantity::XEq => !self.rigid_springs(label),
             other => other.is_magnitude(),
         }

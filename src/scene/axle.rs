@@ -62,19 +62,33 @@ impl Scene {
         Some(pulls)
     }
 
-    /// The cords from surface to surface: the slopes at both ends, and whether they leave the body there to the right. From a wall, which
-    /// faces left, what leads upward leads to the right.
-    fn cords_between_surfaces(&self) -> impl Iterator<Item = [(Slope, bool); 2]> {
+    /// The cords from surface to surface, straight or from slope to slope over a wheel about a fixed axle: the slopes at both ends, and
+    /// whether they leave the body there to the right. From a wall, which faces left, what leads upward leads to the right.
+    fn cords_between_surfaces(&self) -> SmallVec<[[(Slope, bool); 2]; 2]> {
         let right = |end: &CordEnd| {
             let line = self.bodies[end.body].line.filter(|line| line.surface)?;
             Some((line.slope, end.forward == line.forward_up))
         };
-        self.ties.iter().filter_map(move |tie| match tie {
-            Tie::Cord(Cord { from, to: Far::Body(to), made, .. }) if *made != Made::Rests => {
-                Some([right(from)?, right(to)?])
+        let (mut found, mut led) = (SmallVec::new(), SmallVec::<[(usize, (Slope, bool)); 2]>::new());
+        for tie in &self.ties {
+            let Tie::Cord(Cord { from, to: Far::Body(to), made, .. }) = tie else { continue };
+            let (axle, surface) = match (right(from), right(to)) {
+                _ if *made == Made::Rests => continue,
+                (Some(one), Some(other)) => {
+                    found.push([one, other]);
+                    continue;
+                }
+                (Some(surface), None) => (to.body, surface),
+                (None, Some(surface)) => (from.body, surface),
+                (None, None) => continue,
+            };
+            if self.bodies[axle].line.is_none() {
+                let led_on = led.iter().filter(|(at, other)| *at == axle && other.0 != surface.0);
+                found.extend(led_on.map(|(_, other)| [*other, surface]));
+                led.push((axle, surface));
             }
-            _ => None,
-        })
+        }
+        found
     }
 
     /// The slopes on which bodies lie, and whether a picture turns each surface round: a cord that leads from one surface to another
@@ -101,7 +115,7 @@ impl Scene {
 
     /// Does a cord leave two bodies on surfaces to the same side, so that a surface is drawn turned round?
     pub fn is_any_turned_round(&self) -> bool {
-        self.cords_between_surfaces().any(|[(_, one), (_, other)]| one == other)
+        self.cords_between_surfaces().iter().any(|[(_, one), (_, other)]| one == other)
     }
 
     /// Is the surface on which a body lies drawn turned round, rising to the left?

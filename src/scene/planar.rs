@@ -265,7 +265,9 @@ impl JointKind {
     pub const fn impulses(&self) -> &'static [Quantity] {
         match self {
             Self::Pin { .. } | Self::Hinge { .. } => &[Quantity::ImpulseX, Quantity::ImpulseY],
-            Self::Contact { rolls: true, teeth: false, .. } => &[Quantity::Impulse, Quantity::FrictionImpulse],
+            Self::Contact { rolls: true, teeth: false, .. } => {
+                &[Quantity::Impulse, Quantity::FrictionImpulse]
+            }
             _ => &[Quantity::Impulse],
         }
     }

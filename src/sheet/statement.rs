@@ -345,7 +345,7 @@ impl<'b> Statement<'b> {
         let text = |num: Num, unit: &str| match num {
             Num::Datum(i) => self.value_tex(i, drawn),
             Num::Derived(i) => self.derived_tex(scene, i),
-            Num::Fixed(x) => format!("${}{unit}$", self.words.tex_number(&x.to_string())),
+            Num::Fixed(x) => format!("${}{unit}$", self.words.tex_number(&shown::constant(x))),
         };
         let whole = |num: Num, symbol: &str, unit: &str| {
             let symbol = match num {

@@ -2206,10 +2206,8 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn of_pivot(&mut self, label: Label) -> Result<Option<SymbolId>, DerivationStop> {
         use Quantity as Q;
         if let Some(blow) = self.blow.clone() {
-            let impulses = matches!(
-                label.quantity,
-                Q::Impulse | Q::ImpulseX | Q::ImpulseY | Q::FrictionImpulse
-            );
+            let impulses =
+                matches!(label.quantity, Q::Impulse | Q::ImpulseX | Q::ImpulseY | Q::FrictionImpulse);
             if let (true, Owner::Joint(j)) = (impulses, label.of) {
                 return Ok(self.impulse_of(&blow, j, label.quantity));
             }

@@ -54,8 +54,9 @@ fn slope<T: Real>(value: &dyn Fn(T) -> Result<T, Refusal>, at: T, widest: T) -> 
 impl<T: Real> Teller<'_, '_, T> {
     /// How far the mass centre of a body is above where it began.
     pub fn tell_risen(&mut self, body: usize, from: T, to: T) {
-        let rise = (to - from).cleared(self.mechanism.size());
-        self.say_scaled(Quantity::Rise, Owner::Body(body), rise, sizes(&[from, to]));
+        let size = self.mechanism.size();
+        let rise = (to - from).cleared(size);
+        self.say_scaled(Quantity::Rise, Owner::Body(body), rise, beside(sizes(&[from, to]), size));
     }
 
     pub fn say(&mut self, quantity: Quantity, of: Owner, value: T) {
