@@ -1,6 +1,6 @@
 //! The picture of joined bodies in the plane: at the start, with the position considered as a ghost.
 use crate::figure::view::SceneView;
-use crate::figure::{names, parts, say};
+use crate::figure::{layout, names, parts, say};
 use crate::num::Jet;
 use crate::num::half::Half;
 use crate::picture::board::{Board, LabelTie, MIDDLE_FIRST, on_arc};
@@ -320,8 +320,23 @@ impl PlaneLayout {
             _ => {}
         }
         circles.dedup();
-        for (centre, radius) in circles {
-            board.circle(centre, (radius * self.scale).max(END), role);
+        for (centre, radius) in &mut circles {
+            *radius = (*radius * self.scale).max(END);
+            board.circle(*centre, *radius, role);
+            if role == Role::Body && layout::is_open(this) {
+                let inner = 0.86 * *radius;
+                board.circle(*centre, inner, Role::Paper);
+                board.circle(*centre, inner, Role::Inner);
+            }
+        }
+        // What is round by its shape has no rod in it: a thin line shows how it has turned.
+        let inside = |p: Vec2| circles.iter().any(|(centre, radius)| (p - centre).norm() < radius + 1.0);
+        if matches!(this.inertia, Some(RotaryInertia::Shape(..)))
+            && this.rod().is_none()
+            && inside(from)
+            && inside(to)
+        {
+            return board.lines(&[from, to], false, if role == Role::Body { Role::Inner } else { role });
         }
         if plate.is_none() {
             let (side, on) = (axis.left() * THICK, axis * THICK);

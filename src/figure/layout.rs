@@ -6,7 +6,8 @@
 use crate::figure::view::SceneView;
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::scene::{
-    Aim, Attach, Cord, CordEnd, Degree, End, Far, Line, Made, Num, RotaryInertia, Side, Slope, Tie,
+    Aim, Attach, Body, Cord, CordEnd, Degree, End, Far, Line, Made, Num, RotaryInertia, Shape, Side, Slope,
+    Tie,
 };
 use std::f64::consts::PI;
 
@@ -223,6 +224,11 @@ pub fn outer_m(view: &SceneView, body: usize) -> f64 {
     if outer.is_finite() && outer > 0.0 { outer } else { 1.0 }
 }
 
+/// Is it a hoop or a shell, with nothing inside?
+pub fn is_open(body: &Body) -> bool {
+    matches!(body.inertia, Some(RotaryInertia::Shape(Shape::Hoop | Shape::Shell, _)))
+}
+
 /// What a body looks like at a scale.
 pub fn look(view: &SceneView, index: usize, scale: f64) -> BodyLook {
     let body = &view.scene.bodies[index];
@@ -230,11 +236,7 @@ pub fn look(view: &SceneView, index: usize, scale: f64) -> BodyLook {
         let outer = outer_m(view, index) * scale;
         let radii = view.radii(body).into_iter().map(|(_, r)| (r * scale).max(LEAST));
         let rings = radii.filter(|r| *r < outer - 1.0);
-        let open = matches!(
-            &body.inertia,
-            Some(RotaryInertia::Shape(crate::scene::Shape::Hoop | crate::scene::Shape::Shell, _))
-        );
-        BodyLook::Wheel { outer, rings: rings.collect(), open }
+        BodyLook::Wheel { outer, rings: rings.collect(), open: is_open(body) }
     } else {
         let blocks = view.scene.bodies.iter().filter(|b| !b.turns);
         let most = blocks.map(|b| view.kilograms(b)).fold(0.0, f64::max);
