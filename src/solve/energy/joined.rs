@@ -15,6 +15,7 @@ mod work;
 use crate::num::eliminate::{Equations, Reduced};
 use crate::num::gauss::PerNode;
 use crate::num::half::Half;
+use crate::num::jet::Followed;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Jet, Real, ball, root};
@@ -389,7 +390,7 @@ impl<'a, T: Real> Account<'a, T> {
     /// Length of a spring; of a torsion spring that angle.
     fn length(&self, poses: &Poses<T>, s: usize) -> Jet<T> {
         let [x, y] = self.apart(poses, s);
-        if self.scene.struts[s].twists() { x } else { (x * x + y * y).root() }
+        if self.scene.struts[s].twists() { x } else { (x * x + y * y).square_root() }
     }
 
     /// [`Layout::overruns`].

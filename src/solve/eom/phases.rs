@@ -510,17 +510,12 @@ impl<'a, T: Real> Phases<'a, T> {
                     Stop::Time(time) => run.to(*time),
                     Stop::Rest => {
                         let sense = -v.sign();
-                        run.until(&|_, y| sense * y[1], v.size(), &|_, _| -1.0).map(|_| ())
+                        run.until(&|_, y| sense * y[1], v.size(), &|_, _| -1.0)
                     }
-                    Stop::Place(s) => {
-                        run.until(&|_, y| s.signum() * (y[0] - s), s.abs(), &|_, _| -1.0).map(|_| ())
-                    }
+                    Stop::Place(s) => run.until(&|_, y| s.signum() * (y[0] - s), s.abs(), &|_, _| -1.0),
                 };
                 landed.map_err(|trouble| Refusal::Trouble { method: rung.method(), trouble })?;
-                let count = run.count();
-                sum.evaluations += count.evaluations;
-                sum.steps += count.steps;
-                sum.refused += count.refused;
+                sum += run.count();
                 let [x, v] = run.y();
                 Ok([run.x(), x, v])
             };
