@@ -5,7 +5,7 @@
 //! Sources: Abramowitz and Stegun, *Handbook of Mathematical Functions*, 25.4.29-30, here on the interval from 0 to 1; Press,
 //! Teukolsky, Vetterling, Flannery, *Numerical Recipes*, 3rd ed., 4.6 (nodes by Newton's method), here in double-double.
 use crate::num::{Dd, Real, trig};
-use std::sync::{LazyLock, OnceLock};
+use std::sync::LazyLock;
 
 /// Nodes of a panel.
 pub const NODES: usize = 24;
@@ -40,8 +40,8 @@ pub struct Rule {
     pub nodes: Vec<Dd>,
     /// Of sum 1, > 0.
     weights: Vec<Dd>,
-    /// Integral from 0 to node `j` of the polynomial that is 1 at node `k` and 0 at the others, row by row; once they are asked for.
-    running: OnceLock<Vec<Dd>>,
+    /// Integral from 0 to node `j` of the polynomial that is 1 at node `k` and 0 at the others, row by row.
+    running: Vec<Dd>,
     /// Legendre polynomials at the nodes, node by node.
     legendre: Vec<Vec<Dd>>,
     /// What makes the last Legendre coefficients of the values at the nodes.
@@ -105,7 +105,7 @@ impl Rule {
         let mut rule = Self {
             nodes: Vec::new(),
             weights: Vec::new(),
-            running: OnceLock::new(),
+            running: Vec::new(),
             legendre: Vec::new(),
             last: [const { Vec::new() }; LAST],
             between: Vec::new(),
@@ -121,6 +121,7 @@ impl Rule {
             let nodes = rule.legendre.iter().zip(&rule.weights);
             row.extend(nodes.map(|(node, weight)| Dd::new(2.0 * m as f64 + 1.0) * *weight * node[m]));
         }
+        rule.running = rule.legendre.iter().flat_map(|at| rule.shares(at)).collect();
         rule
     }
 
@@ -182,8 +183,7 @@ impl Rule {
         let row = |shares: &[Dd]| {
             values.iter().zip(shares).fold(T::zero(), |sum, (v, w)| sum + *v * T::constant(*w))
         };
-        let made = || self.legendre.iter().flat_map(|at| self.shares(at)).collect();
-        self.running.get_or_init(made).chunks_exact(self.nodes.len()).map(row).collect()
+        self.running.chunks_exact(self.nodes.len()).map(row).collect()
     }
 
     /// The integral from the start of a panel of length 1 to this share of it of the polynomial that has these values at its nodes.

@@ -268,7 +268,7 @@ impl<'a, T: Real> Account<'a, T> {
     fn new(scene: &'a Scene, n: &'a Numbers<'a, T>) -> Result<Self, Refusal> {
         let lead = scene.lead().ok_or(Refusal::Freedoms(0))?;
         let centres = scene.bodies.iter().zip(&n.bodies).map(|(body, numbers)| {
-            let centre = body.planar.as_ref().map_or(Place::At(crate::scene::Num::Fixed(0.0)), |p| p.centre);
+            let centre = body.planar.as_ref().map_or_else(Place::default, |p| p.centre);
             let turns = body.turns && !numbers.inertia.is_zero();
             let gyration = if turns { (numbers.inertia / numbers.mass).root() } else { T::zero() };
             (pose::along(n, centre), gyration)

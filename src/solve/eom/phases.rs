@@ -275,13 +275,7 @@ impl<'a, T: Real> Phases<'a, T> {
     fn if_held(&mut self, n: &Numbers<T>, first: &Setting) -> Result<(), Refusal> {
         for (t, tie) in self.scene.ties.iter().enumerate() {
             if matches!(tie, Tie::Slip { .. }) && self.rolled.iter().all(|(known, _)| *known != t) {
-                let mut setting = first.clone();
-                setting.holds[t] = true;
-                let response = respond(self.scene, n, &setting)?;
-                if response.is_open(t) {
-                    return Err(Refusal::SlipShared(t));
-                }
-                self.rolled.push((t, response));
+                self.rolled.push((t, equations::held(self.scene, n, first, t)?));
             }
         }
         Ok(())
