@@ -17,7 +17,7 @@ const LAST: usize = 3;
 /// and the mean is exact up to twice their degree: its error is about the square of this.
 pub const SMOOTH: f64 = 1e-12;
 /// Times that a panel may be halved: a singularity 2^-40 of the interval away is still seen.
-const HALVINGS: u32 = 40;
+pub const HALVINGS: u32 = 40;
 /// Panels of one quadrature at most: a singularity takes two for each halving; what takes more is rough by its rounding, everywhere.
 const PANELS: u32 = 300;
 
@@ -277,11 +277,6 @@ pub fn settled<T: Real>(halves: T, whole: T, scale: f64) -> bool {
 /// The size of the integral: that of the first panels which have one.
 pub fn sized<T: Real>(scale: f64, sum: T) -> f64 {
     if scale.is_finite() { scale } else { sum.size() }
-}
-
-/// How often a panel may be halved.
-pub const fn halvings() -> u32 {
-    HALVINGS
 }
 
 #[cfg(test)]

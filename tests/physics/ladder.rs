@@ -1,7 +1,7 @@
 //! Every method of the ladder agrees with the closed forms within its own error estimate, or refuses with numbers.
 use crate::support;
-use slipstick::num::Dd;
 use slipstick::num::ode::Trouble;
+use slipstick::num::{Dd, Real};
 use slipstick::problem::maker::Maker;
 use slipstick::scene::{Coordinate, Degree, End, Label, Num, Owner, Quantity, Scene, Start, Tie};
 use slipstick::solve::ladder::{Force, Wish};

@@ -367,14 +367,11 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Run<N, F> {
             return Err(Trouble::Overdue { at: self.x.value });
         }
         let mut h = self.next;
-        let (order, rtol) = match (self.pace, self.formula) {
-            (Pace::Fixed(_), _) => {
-                let change = self.change(h);
-                return Ok(Proposal { h, change, end: None });
-            }
-            (Pace::Adaptive { rtol, .. }, Formula::Dop853) => (8.0, rtol.max(FINEST)),
-            (Pace::Adaptive { rtol, .. }, _) => (5.0, rtol.max(FINEST)),
+        let Pace::Adaptive { rtol, .. } = self.pace else {
+            let change = self.change(h);
+            return Ok(Proposal { h, change, end: None });
         };
+        let (order, rtol) = (f64::from(self.formula.order()), rtol.max(FINEST));
         let mut refused = false;
         for _ in 0..MOST_TRIES {
             let moved = self.x.plus(h);
@@ -401,10 +398,7 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Run<N, F> {
     }
 
     fn commit(&mut self, h: f64, change: &[f64; N], end: Option<[f64; N]>) {
-        let slope = match end {
-            Some(slope) => slope,
-            None => self.end_slope(h, change),
-        };
+        let slope = end.unwrap_or_else(|| self.end_slope(h, change));
         for (i, y) in self.y.iter_mut().enumerate() {
             *y = y.plus(change[i]);
             self.peak[i] = self.peak[i].max(y.value.abs());

@@ -306,7 +306,7 @@ impl<T: Real> Account<'_, T> {
         while solved.last().is_none_or(|s| s.ends.1.below(way)) {
             let (at, square) = solved.last().map_or((T::zero(), from), |s| (s.ends.1, s.squares.1));
             let mut next = self.meets.iter().filter(|x| at.below(**x)).fold(at + T::of(8.0 * STEP), least);
-            let stretch = (0..=gauss::halvings()).find_map(|_| {
+            let stretch = (0..=gauss::HALVINGS).find_map(|_| {
                 let stretch = self.collocate((at, next), square).transpose();
                 next = (at + next).scale2(-1);
                 stretch
