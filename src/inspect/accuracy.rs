@@ -181,7 +181,7 @@ impl StudySheet<'_> {
             (false, false) => "",
         };
         let rung = line.row.rung;
-        let mut cells = vec![mark.to_owned(), rung.method().name().to_owned(), sentences::setting(rung)];
+        let mut cells = vec![mark.to_owned(), rung.method().as_str().to_owned(), sentences::setting(rung)];
         match &line.row.found {
             Ok(found) => {
                 cells.push(found.count.evaluations.to_string());
@@ -255,7 +255,7 @@ impl StudySheet<'_> {
                 Rung::Adaptive(_, tolerance, _) => [none(), format!("{tolerance:e}"), none()],
                 Rung::Fixed(_, h) => [format!("{h:e}"), none(), none()],
             };
-            let (id, method) = (self.problem.id.clone(), rung.method().name().to_owned());
+            let (id, method) = (self.problem.id.clone(), rung.method().as_str().to_owned());
             let mut record = vec![id, method, sentences::setting(rung), step, rtol, points];
             let yes = |b: bool| if b { "yes" } else { "no" }.to_owned();
             match &line.row.found {
@@ -290,7 +290,7 @@ impl StudySheet<'_> {
             self.finite().partition(|l| l.row.rung == Rung::Settled);
         let series = Method::ALL.iter().enumerate().map(|(style, method)| {
             let of = of_methods.iter().filter(|l| l.row.rung.method() == *method);
-            Series { name: method.name().to_owned(), style, points: of.map(|l| point(l)).collect() }
+            Series { name: method.as_str().to_owned(), style, points: of.map(|l| point(l)).collect() }
         });
         let settled = settled.iter();
         let settled =
@@ -327,7 +327,7 @@ impl StudySheet<'_> {
         };
         let told = |l: &MeasuredRow| {
             let unit = if self.timed { duration(cost(l)) } else { format!("{} evaluations", cost(l)) };
-            format!("{} reaches {} in {unit}", l.row.rung.method().name(), short(worst(l)))
+            format!("{} reaches {} in {unit}", l.row.rung.method().as_str(), short(worst(l)))
         };
         let list: Vec<String> = Method::ALL.iter().filter_map(|m| best(*m)).map(told).collect();
         let list = list.join("; ");
@@ -345,7 +345,7 @@ impl StudySheet<'_> {
             };
             let points: Vec<DataPoint> = of.filter_map(point).collect();
             if !points.is_empty() {
-                series.push(Series { name: method.name().to_owned(), style, points });
+                series.push(Series { name: method.as_str().to_owned(), style, points });
             }
         }
         let xs: Vec<f64> = series.iter().flat_map(|s| s.points.iter().map(|p| p.x)).collect();

@@ -256,7 +256,7 @@ pub fn rung(rung: Rung) -> String {
         Rung::Closed => "closed form".to_owned(),
         Rung::Doubles => "closed form in doubles".to_owned(),
         Rung::Settled => "gauss quadrature with as many points as rounding allows".to_owned(),
-        _ => format!("{}, {}", rung.method().name(), setting(rung)),
+        _ => format!("{}, {}", rung.method().as_str(), setting(rung)),
     }
 }
 
@@ -429,9 +429,9 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
             say("refused.contradiction", &pieces)
         }
         Refusal::Unsupported(what) => say(&format!("unsupported.{what:?}"), &[]),
-        Refusal::Trouble { method, trouble: why } => format!("{}: {}", method.name(), trouble(why)),
+        Refusal::Trouble { method, trouble: why } => format!("{}: {}", method.as_str(), trouble(why)),
         Refusal::Unsteady { method, label, value, finer } => {
-            let (method, label) = (method.name(), scene.name_of(*label));
+            let (method, label) = (method.as_str(), scene.name_of(*label));
             let (value, finer) = (power(value), power(finer));
             say(
                 "refused.unsteady",
@@ -441,7 +441,7 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
         Refusal::Contradicts { method, label, value, judge, allowed } => {
             let by = if *method == Method::Gauss { "the equations of motion" } else { "work and energy" };
             let pieces: [(&str, &dyn Display); 6] = [
-                ("method", &method.name()),
+                ("method", &method.as_str()),
                 ("by", &by),
                 ("label", &scene.name_of(*label)),
                 ("value", &power(value)),
@@ -451,7 +451,7 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
             say("refused.contradicts", &pieces)
         }
         Refusal::Unmet { method, points, error, asked } => {
-            let (method, error, asked) = (method.name(), format!("{error:.1e}"), format!("{asked:.1e}"));
+            let (method, error, asked) = (method.as_str(), format!("{error:.1e}"), format!("{asked:.1e}"));
             say(
                 "refused.unmet",
                 &[("method", &method), ("points", points), ("error", &error), ("asked", &asked)],
@@ -459,7 +459,7 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
         }
         Refusal::Apart => say("refused.apart", &[]),
         Refusal::Barely => say("refused.barely", &[]),
-        Refusal::NoMethod { method } => say("refused.no_method", &[("method", &method.name())]),
+        Refusal::NoMethod { method } => say("refused.no_method", &[("method", &method.as_str())]),
         Refusal::Unsettled(why) => unsettled(scene, why),
         Refusal::Disagree { label, eom, energy, allowed } => {
             let name = if *allowed < 1.0 { "refused.disagree" } else { "refused.last_digits" };

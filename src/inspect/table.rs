@@ -56,7 +56,7 @@ fn method_json(taken: &Taken) -> String {
     };
     format!(
         "{{\"name\": \"{}\", {setting}, \"chosen\": {}, \"why\": {}, \"evaluations\": {}, \"steps\": {}, \"evaluations_of_the_estimate\": {}, \"relative_error\": {}}}",
-        taken.rung.method().name(),
+        taken.rung.method().as_str(),
         taken.chosen,
         string(&sentences::why(taken)),
         taken.count.evaluations,

@@ -114,22 +114,6 @@ impl Dd {
         let (hi, lo) = two_prod(a, b);
         Self { hi, lo }
     }
-    /// Absolute value.
-    #[inline(always)]
-    pub fn abs(self) -> Self {
-        if self.hi < 0.0 { -self } else { self }
-    }
-    /// -1, 0 or 1; 0 for NaN.
-    #[inline(always)]
-    pub fn sign(self) -> f64 {
-        if self.hi > 0.0 {
-            1.0
-        } else if self.hi < 0.0 {
-            -1.0
-        } else {
-            0.0
-        }
-    }
     /// Square root; 0 for a negative argument by rounding is the caller's business: NaN below 0.
     // A page is small, and the program is quick.
     #[cfg_attr(feature = "program", inline)]
@@ -264,16 +248,12 @@ impl PartialOrd for Dd {
         }
     }
 }
-impl From<f64> for Dd {
-    fn from(x: f64) -> Self {
-        Dd::new(x)
-    }
-}
 
 #[cfg(test)]
 #[allow(clippy::float_cmp, clippy::neg_cmp_op_on_partial_ord, reason = "exact bits are what is tested")]
 mod tests {
     use super::*;
+    use crate::num::Real;
 
     #[test]
     fn a_third_times_three_is_one_to_32_digits() {

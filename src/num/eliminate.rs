@@ -128,7 +128,6 @@ impl<T: Real> Equations<T> {
                         if k == j || nothing(k, *b) {
                             continue;
                         }
-                        // An equation that says again what others say leaves nothing but rounding.
                         *v = if self.decimal && k < cols {
                             ball::unwatched(|| v.apart(f * *b))
                         } else {

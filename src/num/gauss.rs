@@ -1,9 +1,10 @@
 //! Gauss-Legendre quadrature in any number type: a panel of 24 nodes, taken as it is where the function is seen to be smooth, else
 //! halved until the halves say the same as the whole.
 //!
-//! Source: Press, Teukolsky, Vetterling, Flannery, *Numerical Recipes*, 3rd ed., 4.6 (nodes by Newton's method); here in
-//! double-double.
-use crate::num::{Dd, Real, legendre};
+//! `int_a^b f = (b - a) sum w_i f(a + (b - a) x_i)`, exact for polynomials up to degree 2n - 1.
+//! Sources: Abramowitz and Stegun, *Handbook of Mathematical Functions*, 25.4.29-30, here on the interval from 0 to 1; Press,
+//! Teukolsky, Vetterling, Flannery, *Numerical Recipes*, 3rd ed., 4.6 (nodes by Newton's method), here in double-double.
+use crate::num::{Dd, Real, trig};
 use std::sync::LazyLock;
 
 /// Nodes of a panel.
@@ -16,7 +17,7 @@ const LAST: usize = 3;
 /// and the mean is exact up to twice their degree: its error is about the square of this.
 pub const SMOOTH: f64 = 1e-12;
 /// Times that a panel may be halved: a singularity 2^-40 of the interval away is still seen.
-const HALVINGS: u32 = 40;
+pub const HALVINGS: u32 = 40;
 /// Panels of one quadrature at most: a singularity takes two for each halving; what takes more is rough by its rounding, everywhere.
 const PANELS: u32 = 300;
 
@@ -37,6 +38,7 @@ pub type PerNode<T> = Vec<T>;
 pub struct Rule {
     /// The nodes, as shares of it, ascending.
     pub nodes: Vec<Dd>,
+    /// Of sum 1, > 0.
     weights: Vec<Dd>,
     /// Integral from 0 to node `j` of the polynomial that is 1 at node `k` and 0 at the others, row by row.
     running: Vec<Dd>,
@@ -67,13 +69,39 @@ pub fn ending<T: Real>() -> (&'static Rule, f64, f64) {
     if T::is_double() { (&ENDING, 5e-8, 5e-8) } else { long::<T>() }
 }
 
+/// Legendre polynomials of degree 0 to `last` at a place from -1 to 1, by the recurrence.
+fn polynomials<T: Real>(x: T, last: usize) -> Vec<T> {
+    let mut p = vec![T::of(1.0), x];
+    for n in 2..=last {
+        let m = n as f64;
+        p.push((T::of(2.0 * m - 1.0) * x * p[n - 1] - T::of(m - 1.0) * p[n - 2]) / T::of(m));
+    }
+    p
+}
+
+/// The zeros of the polynomial of this degree from -1 to 1, ascending, each with the slope there: Tricomi's estimate, then Newton.
+fn zeros(degree: usize) -> impl Iterator<Item = (Dd, Dd)> {
+    let n = degree as f64;
+    (0..degree).map(move |j| {
+        let mut x = Dd::new(-trig::sin_cos_degrees(180.0 * (j as f64 + 0.75) / (n + 0.5)).1.hi);
+        let mut slope = Dd::ONE;
+        for _ in 0..8 {
+            let p = polynomials(x, degree);
+            slope = Dd::new(n) * (x * p[degree] - p[degree - 1]) / (x * x - Dd::ONE);
+            x = x - p[degree] / slope;
+        }
+        (x, slope)
+    })
+}
+
 /// A panel of [`NODES`] nodes.
 pub fn short() -> &'static Rule {
     &SHORT
 }
 
 impl Rule {
-    fn new(count: usize) -> Self {
+    /// That of `count` nodes, at least one.
+    pub fn new(count: usize) -> Self {
         let mut rule = Self {
             nodes: Vec::new(),
             weights: Vec::new(),
@@ -82,15 +110,14 @@ impl Rule {
             last: [const { Vec::new() }; LAST],
             between: Vec::new(),
         };
-        for (x, slope) in legendre::zeros(count) {
-            rule.legendre.push(legendre::polynomials(x, count + 1));
-            let (node, weight) = legendre::node((x, slope));
-            rule.nodes.push(node);
-            rule.weights.push(weight);
+        for (x, slope) in zeros(count) {
+            rule.legendre.push(polynomials(x, count + 1));
+            rule.nodes.push((x + Dd::ONE).scale2(-1));
+            rule.weights.push(Dd::ONE / ((Dd::ONE - x * x) * slope * slope));
             // 1 over the product of the distances from the other nodes is in proportion to 1 over the slope of the polynomial.
             rule.between.push(Dd::ONE / slope);
         }
-        for (row, m) in rule.last.iter_mut().zip(count - LAST..) {
+        for (row, m) in rule.last.iter_mut().zip(count.saturating_sub(LAST)..) {
             let nodes = rule.legendre.iter().zip(&rule.weights);
             row.extend(nodes.map(|(node, weight)| Dd::new(2.0 * m as f64 + 1.0) * *weight * node[m]));
         }
@@ -161,7 +188,7 @@ impl Rule {
 
     /// The integral from the start of a panel of length 1 to this share of it of the polynomial that has these values at its nodes.
     pub fn until<T: Real>(&self, values: &[T], share: T) -> T {
-        let at = legendre::polynomials(share.scale2(1) - T::of(1.0), self.nodes.len());
+        let at = polynomials(share.scale2(1) - T::of(1.0), self.nodes.len());
         let shares = self.shares(&at);
         values.iter().zip(shares).fold(T::zero(), |sum, (v, w)| sum + *v * w)
     }
@@ -252,11 +279,6 @@ pub fn sized<T: Real>(scale: f64, sum: T) -> f64 {
     if scale.is_finite() { scale } else { sum.size() }
 }
 
-/// How often a panel may be halved.
-pub const fn halvings() -> u32 {
-    HALVINGS
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -275,6 +297,24 @@ mod tests {
                 }
             }
         }
+    }
+    #[test]
+    fn a_rule_is_exact_up_to_twice_its_nodes_and_no_further() {
+        let mean = |n: usize, degree: usize| {
+            let rule = Rule::new(n);
+            assert!(rule.nodes.windows(2).all(|w| w[0] < w[1]), "{n}: nodes ascend");
+            assert!(rule.weights.iter().all(|w| w.hi > 0.0));
+            let values: Vec<Dd> =
+                rule.nodes.iter().map(|x| (0..degree).fold(Dd::ONE, |p, _| p * *x)).collect();
+            rule.mean(&values) * Dd::new(degree as f64 + 1.0) - Dd::ONE
+        };
+        for n in [1, 2, 3, 5, 8, 16, 33, 64, 96] {
+            for degree in [0, 1, 2, 3, n, 2 * n - 1].into_iter().filter(|degree| *degree < 2 * n) {
+                let miss = mean(n, degree);
+                assert!(miss.hi.abs() < 1e-29, "{n} points, degree {degree}: {miss:?}");
+            }
+        }
+        assert!(mean(2, 4).hi.abs() > 5e-3);
     }
     #[test]
     fn between_the_nodes_a_polynomial_is_itself() {

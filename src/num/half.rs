@@ -44,10 +44,7 @@ impl<T: Real> Half<T> {
     }
     /// Half of the difference of two angles.
     pub fn minus(self, o: Self) -> Self {
-        Self {
-            sine: (self.sine * o.cosine).balance(-(self.cosine * o.sine)),
-            cosine: (self.cosine * o.cosine).balance(self.sine * o.sine),
-        }
+        self.plus(Self { sine: -o.sine, ..o })
     }
     /// The same angle less half a turn.
     pub fn less_half_turn(self) -> Self {

@@ -18,16 +18,6 @@ impl<T: Real> Jet<T> {
     pub fn fixed(value: T) -> Self {
         Self { value, first: T::zero(), second: T::zero() }
     }
-    /// Square root; its derivatives are not finite where the value is 0.
-    pub fn root(self) -> Self {
-        let value = self.value.root();
-        let first = self.first.scale2(-1) / value;
-        Self { value, first, second: (self.second.scale2(-1) - first.square()) / value }
-    }
-    /// Product with a number that does not depend on the variable.
-    pub fn times(self, factor: T) -> Self {
-        Self { value: self.value * factor, first: self.first * factor, second: self.second * factor }
-    }
 }
 
 /// A number that is followed over a variable: with its derivatives by it, or its value alone.
@@ -46,7 +36,7 @@ pub trait Followed<T: Real>:
     fn derivatives(self) -> [T; 2];
     /// Product with a number that does not depend on the variable.
     fn by(self, factor: T) -> Self;
-    /// Square root.
+    /// Square root; its derivatives are not finite where the value is 0.
     fn square_root(self) -> Self;
 }
 
@@ -62,10 +52,12 @@ impl<T: Real> Followed<T> for Jet<T> {
         [self.first, self.second]
     }
     fn by(self, factor: T) -> Self {
-        self.times(factor)
+        Self { value: self.value * factor, first: self.first * factor, second: self.second * factor }
     }
     fn square_root(self) -> Self {
-        self.root()
+        let value = self.value.root();
+        let first = self.first.scale2(-1) / value;
+        Self { value, first, second: (self.second.scale2(-1) - first.square()) / value }
     }
 }
 
@@ -132,7 +124,7 @@ mod tests {
     /// Against differences of `sqrt(1 + x^2) / (2 - x) - 3 x` at x = 0.3.
     #[test]
     fn derivatives_are_limits_of_differences() {
-        let f = |x: Jet<f64>| (Jet::fixed(1.0) + x * x).root() / (Jet::fixed(2.0) - x) - x.times(3.0);
+        let f = |x: Jet<f64>| (Jet::fixed(1.0) + x * x).square_root() / (Jet::fixed(2.0) - x) - x.by(3.0);
         let at = |x: f64| f(Jet { value: x, first: 1.0, second: 0.0 });
         let (x, h) = (0.3, 1e-4);
         let (before, here, after) = (at(x - h).value, at(x), at(x + h).value);

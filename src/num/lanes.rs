@@ -91,6 +91,23 @@ impl Neg for Lanes {
     }
 }
 
+/// Methods that make a number of two in each lane.
+macro_rules! made_in_each {
+    ($($method:ident)*) => {$(
+        fn $method(self, other: Self) -> Self {
+            self.with(other, Real::$method)
+        }
+    )*};
+}
+/// Methods that decide something of two numbers.
+macro_rules! decided_between {
+    ($($method:ident $kind:ty),*) => {$(
+        fn $method(self, other: Self) -> $kind {
+            Self::decided(|lane| Real::$method(self.0[lane], other.0[lane]))
+        }
+    )*};
+}
+
 impl Real for Lanes {
     const NOISE: f64 = <f64 as Real>::NOISE;
     const SETTLED: f64 = <f64 as Real>::SETTLED;
@@ -115,9 +132,6 @@ impl Real for Lanes {
     fn scale2(self, e: i32) -> Self {
         self.map(|a| a.scale2(e))
     }
-    fn below(self, other: Self) -> bool {
-        Self::decided(|lane| self.0[lane] < other.0[lane])
-    }
     fn f64(self) -> f64 {
         Self::decided(|lane| self.0[lane])
     }
@@ -139,9 +153,6 @@ impl Real for Lanes {
         ASTRAY.set(astray);
         decided
     }
-    fn or(self, other: Self) -> Self {
-        self.with(other, Real::or)
-    }
     fn is_zero(self) -> bool {
         Self::decided(|lane| self.0[lane] == 0.0)
     }
@@ -161,33 +172,14 @@ impl Real for Lanes {
     fn negligible(self, scale: f64) -> bool {
         self.within(Self::NOISE * scale)
     }
-    fn at_most(self, limit: Self) -> bool {
-        Self::decided(|lane| Real::at_most(self.0[lane], limit.0[lane]))
-    }
-    fn side(self, other: Self) -> f64 {
-        Self::decided(|lane| Real::side(self.0[lane], other.0[lane]))
-    }
     fn abs(self) -> Self {
         self.map(Real::abs)
-    }
-    fn status(self, boundary: Self) -> f64 {
-        Self::decided(|lane| Real::status(self.0[lane], boundary.0[lane]))
-    }
-    fn apart(self, other: Self) -> Self {
-        self.with(other, Real::apart)
     }
     fn cleared(self, scale: f64) -> Self {
         self.map(|a| a.cleared(scale))
     }
-    fn balance(self, other: Self) -> Self {
-        self.with(other, Real::balance)
-    }
-    fn over(self, under: Self) -> Self {
-        self.with(under, Real::over)
-    }
-    fn larger(self, other: Self) -> Self {
-        self.with(other, Real::larger)
-    }
+    made_in_each!(or apart balance over larger);
+    decided_between!(below bool, at_most bool, side f64, status f64);
 }
 
 #[cfg(test)]

@@ -12,7 +12,6 @@ pub mod gauss;
 pub mod half;
 pub mod jet;
 pub mod lanes;
-pub mod legendre;
 pub mod linear;
 pub mod ode;
 pub mod plant;

@@ -237,7 +237,7 @@ impl Real for Dd {
     }
     #[inline(always)]
     fn sign(self) -> f64 {
-        Dd::sign(self)
+        Real::sign(self.hi)
     }
     #[inline(always)]
     fn root(self) -> Self {

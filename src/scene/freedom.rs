@@ -1,6 +1,6 @@
 //! How many freedoms the ties leave, whatever the data: for telling what is no scene that is solved, not for solving.
 use crate::num::eliminate::Equations;
-use crate::scene::{Attach, Body, Coordinate, CordEnd, Degree, End, Far, Num, Scene, Side, Tie};
+use crate::scene::{Body, Coordinate, Degree, End, Far, Num, Scene, Tie};
 
 /// A number in the place of a datum that is not known: of no simple ratio to those of the other data.
 fn stand_in(datum: usize) -> f64 {
@@ -89,30 +89,22 @@ impl Scene {
             |body: usize, degree: Degree| coordinates.iter().position(|c| *c == Coordinate { body, degree });
         let mut ties: Equations<f64> = Equations::new(coordinates.len());
         for (t, tie) in self.ties.iter().enumerate() {
-            let ends: [Option<&CordEnd>; 2] = match tie {
-                Tie::Slip { .. } if held != Some(t) => continue,
-                Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. } => {
-                    let row = ties.row();
-                    let along = place(*body, Degree::Along).map(|i| (i, 1.0));
-                    let turn = place(*body, Degree::Turn).map(|i| (i, -number(*radius_m)));
-                    along.into_iter().chain(turn).for_each(|(i, x)| row[i] = x);
-                    continue;
-                }
-                Tie::Cord(cord) => match &cord.to {
-                    Far::Fixed => [Some(&cord.from), None],
-                    Far::Body(other) => [Some(&cord.from), Some(other)],
-                    Far::Pull(_) | Far::Spring { .. } => continue,
-                },
-                Tie::Slide { .. } => continue,
+            let holds = match tie {
+                Tie::Roll { .. } => true,
+                Tie::Slip { .. } => held == Some(t),
+                Tie::Slide { .. } => false,
+                Tie::Cord(cord) => matches!(cord.to, Far::Fixed | Far::Body(_)),
             };
+            if !holds {
+                continue;
+            }
             let row = ties.row();
-            for end in ends.into_iter().flatten() {
-                let toward = if end.forward { 1.0 } else { -1.0 };
-                if let Some(i) = place(end.body, Degree::Along) {
-                    row[i] += toward;
+            for action in tie.actions() {
+                if let Some(i) = place(action.body, Degree::Along) {
+                    row[i] += action.along;
                 }
-                if let (Attach::Wound(p, side), Some(i)) = (end.attach, place(end.body, Degree::Turn)) {
-                    row[i] += toward * number(p) * if side == Side::Top { 1.0 } else { -1.0 };
+                if let (Some((radius, sense)), Some(i)) = (action.arm, place(action.body, Degree::Turn)) {
+                    row[i] += number(radius) * sense;
                 }
             }
         }

@@ -47,9 +47,15 @@ pub enum Num {
     Derived(usize),
 }
 
+impl Default for Num {
+    fn default() -> Self {
+        Self::Fixed(0.0)
+    }
+}
+
 /// A scene: structure only. The numbers are passed beside it, one SI `f64` for each datum, so that thousands of draws
 /// share one scene.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Scene {
     /// Acceleration of free fall, m/s^2, > 0.
     pub gravity_m_s2: Num,

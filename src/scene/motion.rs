@@ -62,9 +62,10 @@ pub struct Carrier {
 }
 
 /// The event that ends the motion.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub enum End {
     /// No motion: only the instant of the start is asked.
+    #[default]
     AtOnce,
     /// When this coordinate has changed by this much (m, or rad), either way unless the scene has a heading.
     Travel(Coordinate, Num),

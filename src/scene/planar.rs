@@ -7,7 +7,7 @@
 use crate::scene::{Body, End, Num, Quantity, Scene};
 
 /// How a body lies in the plane and which of its points have names.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Planar {
     /// Points: name, and distance from the origin along the axis and to the left of it.
     pub points: Vec<(String, [Place; 2])>,
@@ -40,18 +40,13 @@ impl Planar {
     /// Of a body that a pin of its own holds, with its mass centre so far from it; its angle counts from upright or from hanging.
     pub fn pinned(centre: Place, from: Ray, start_deg: Option<Num>) -> Self {
         Self {
-            points: vec![("O".to_owned(), on_axis(Place::At(Num::Fixed(0.0))))],
+            points: vec![("O".to_owned(), [Place::default(); 2])],
             centre,
             from,
             clockwise: from == Ray::Up,
-            unmarked: false,
             start_deg,
-            driven: None,
-            arrives: None,
-            origin_m: None,
-            level: false,
-            side: None,
             pinned: true,
+            ..Self::default()
         }
     }
 }
@@ -92,6 +87,12 @@ pub enum Place {
     HalfOf(Num),
 }
 
+impl Default for Place {
+    fn default() -> Self {
+        Self::At(Num::default())
+    }
+}
+
 impl Place {
     /// The number that tells it.
     pub const fn number(self) -> Num {
@@ -101,9 +102,10 @@ impl Place {
 }
 
 /// A direction from which angles count.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Ray {
     /// To the right.
+    #[default]
     Right,
     /// Up.
     Up,
@@ -442,7 +444,7 @@ impl Scene {
         }
         for (b, body) in self.bodies.iter_mut().enumerate() {
             let Some(planar) = body.planar.as_ref().filter(|p| p.start_deg.is_none()) else { continue };
-            let centre = [planar.centre, Place::At(Num::Fixed(0.0))];
+            let centre = on_axis(planar.centre);
             let off = |spot: &Spot| spot.body == b && planar.points[spot.point].1 != centre;
             body.turns &= turned.contains(&b) || acts.iter().any(off);
         }
@@ -455,9 +457,7 @@ impl Scene {
                 JointKind::Contact { at, surface: Surface::Line(_), rolls: true, .. } => at.body == body,
                 _ => false,
             };
-            let centred = |planar: &Planar| {
-                planar.points.iter().all(|(_, at)| *at == [planar.centre, Place::At(Num::Fixed(0.0))])
-            };
+            let centred = |planar: &Planar| planar.points.iter().all(|(_, at)| *at == on_axis(planar.centre));
             self.joints.iter().any(on_line) && self.planar(body).is_some_and(centred)
         };
         let turning = || (0..self.bodies.len()).filter(|body| self.bodies[*body].turns);

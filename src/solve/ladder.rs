@@ -384,7 +384,7 @@ fn rungs(force: Force, time_s: Option<f64>) -> Vec<Rung> {
     } else {
         vec![Rung::Doubles, Rung::Closed]
     };
-    for method in Method::ALL {
+    for method in Method::ALL.iter().copied() {
         match method {
             Method::Closed => {}
             Method::Gauss | Method::Verlet if joined => {}

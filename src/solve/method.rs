@@ -2,24 +2,25 @@
 use crate::num::U;
 use crate::num::ode::{Count, FINEST, Formula, Pace};
 
-/// A method that takes a motion from its start to its ending event.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Method {
+worded! {
+    /// A method that takes a motion from its start to its ending event: the closed form first, then by the order of the formula; with
+    /// its name for `--method`.
+    Method {
     /// The closed form, on both roads.
-    Closed,
+    Closed "closed",
     /// Gauss-Legendre quadrature of the generalised force over displacement, on the road of work and energy.
-    Gauss,
-    /// The embedded pair 5(4) of Dormand and Prince in time, on the road of the equations of motion.
-    Dopri5,
-    /// The embedded pair 8(5,3) of Dormand and Prince in time, on the same road.
-    Dop853,
-    /// Semi-implicit Euler with a fixed time step, on the same road.
-    Euler,
-    /// Velocity Verlet with a fixed time step, on the same road.
-    Verlet,
+    Gauss "gauss",
+    /// The embedded pair 8(5,3) of Dormand and Prince in time, on the road of the equations of motion.
+    Dop853 "dop853",
+    /// The embedded pair 5(4) of Dormand and Prince in time, on the same road.
+    Dopri5 "dopri5",
     /// The classical Runge-Kutta formula with a fixed time step, on the same road.
-    Rk4,
-}
+    Rk4 "rk4",
+    /// Velocity Verlet with a fixed time step, on the same road.
+    Verlet "verlet",
+    /// Semi-implicit Euler with a fixed time step, on the same road.
+    Euler "euler",
+}}
 
 /// What sets how finely a method works.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -44,26 +45,6 @@ pub enum Way {
 }
 
 impl Method {
-    /// All of them, the closed form first, then by the order of the formula.
-    pub const ALL: [Method; 7] =
-        [Self::Closed, Self::Gauss, Self::Dop853, Self::Dopri5, Self::Rk4, Self::Verlet, Self::Euler];
-
-    /// The name for `--method`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Closed => "closed",
-            Self::Gauss => "gauss",
-            Self::Dopri5 => "dopri5",
-            Self::Dop853 => "dop853",
-            Self::Euler => "euler",
-            Self::Verlet => "verlet",
-            Self::Rk4 => "rk4",
-        }
-    }
-    /// The method of this name.
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|m| m.name() == name)
-    }
     /// What sets it.
     pub const fn knob(self) -> Knob {
         match self {

@@ -339,9 +339,6 @@ fn switch(kind: CheckKind, of: usize, required: f64, available: f64) -> Check {
 }
 
 fn rolls(scene: &Scene, tie: usize) -> Label {
-    let of = match &scene.ties[tie] {
-        Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => Owner::Body(*body),
-        Tie::Cord(_) => Owner::Tie(tie),
-    };
+    let of = scene.ties[tie].touching().map_or(Owner::Tie(tie), Owner::Body);
     Label { quantity: Quantity::Rolls, of }
 }

@@ -1,9 +1,9 @@
 //! Proof that the agreement of the roads catches mechanical errors: each named term of each road is spoiled in turn.
 use crate::num::plant;
 use crate::scene::{
-    Acts, Arrives, Attach, Body, Carrier, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Formulas,
-    GivenForce, Growth, Joint, JointKind, Law, Line, Made, Mass, Num, Particle, Place, Planar, Push, Ray,
-    Rest, RotaryInertia, Scene, Side, Slope, Span, Spot, Start, Straight, Strut, StrutEnd, Surface, Tie,
+    Acts, Arrives, Attach, Body, Carrier, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, GivenForce,
+    Growth, Joint, JointKind, Law, Line, Made, Mass, Num, Particle, Place, Planar, Push, Ray, Rest,
+    RotaryInertia, Scene, Side, Slope, Spot, Start, Straight, Strut, StrutEnd, Surface, Tie,
 };
 use crate::solve::agree::solve;
 use std::collections::BTreeSet;
@@ -17,15 +17,13 @@ fn body(name: &str, slope: Option<f64>, mass: f64, k: Option<f64>) -> Body {
         name: name.to_owned(),
         mass: Mass::Kilograms(f(mass)),
         inertia: k.map(|k| RotaryInertia::Gyration(f(k))),
-        radii_m: Vec::new(),
         line: slope.map(|s| Line {
             slope: if s > 89.0 { Slope::Vertical } else { Slope::Degrees(f(s)) },
             forward_up: true,
             surface: s < 89.0,
         }),
         turns: k.is_some(),
-        particles: Vec::new(),
-        planar: None,
+        ..Body::default()
     }
 }
 
@@ -42,23 +40,7 @@ fn cord_end((body, wound, forward): (usize, Option<f64>, bool)) -> CordEnd {
 
 fn scene(bodies: Vec<Body>, ties: Vec<Tie>, travel: f64) -> Scene {
     let end = End::Travel(Coordinate { body: 0, degree: Degree::Along }, f(travel));
-    Scene {
-        gravity_m_s2: f(9.81),
-        bodies,
-        ties,
-        couples: Vec::new(),
-        joints: Vec::new(),
-        restitution: None,
-        pushes: Vec::new(),
-        struts: Vec::new(),
-        growths: Vec::new(),
-        carried: None,
-        start: Vec::new(),
-        end,
-        heading: None,
-        span: Span::ToEnd,
-        formulas: Formulas::default(),
-    }
+    Scene { gravity_m_s2: f(9.81), bodies, ties, end, ..Scene::default() }
 }
 
 /// A body of 4 kg pinned 0.6 m from its mass centre, from one angle to another.
@@ -88,16 +70,8 @@ fn rod(name: &str, start: Option<f64>) -> Body {
             .map(|(n, x)| (n.to_owned(), [Place::At(f(x)), Place::At(f(0.0))]))
             .to_vec(),
         centre: Place::At(f(0.55)),
-        from: Ray::Right,
-        clockwise: false,
-        unmarked: false,
         start_deg: start.map(f),
-        driven: None,
-        arrives: None,
-        level: false,
-        origin_m: None,
-        side: None,
-        pinned: false,
+        ..Planar::default()
     });
     rod
 }

@@ -43,8 +43,8 @@ impl fmt::Display for Named {
             Rung::Doubles => "closed, doubles".to_owned(),
             Rung::Settled => "gauss, settled".to_owned(),
             Rung::Gauss(n) => format!("gauss, {n} points"),
-            Rung::Adaptive(m, rtol, _) => format!("{}, rtol {rtol:e}", m.name()),
-            Rung::Fixed(m, h) => format!("{}, 1/{:.0} s", m.name(), 1.0 / h),
+            Rung::Adaptive(m, rtol, _) => format!("{}, rtol {rtol:e}", m.as_str()),
+            Rung::Fixed(m, h) => format!("{}, 1/{:.0} s", m.as_str(), 1.0 / h),
         };
         write!(f, "{}: {setting}: {} evaluations", self.problem, self.evaluations)
     }

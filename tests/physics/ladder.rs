@@ -1,7 +1,7 @@
 //! Every method of the ladder agrees with the closed forms within its own error estimate, or refuses with numbers.
 use crate::support;
-use slipstick::num::Dd;
 use slipstick::num::ode::Trouble;
+use slipstick::num::{Dd, Real};
 use slipstick::problem::maker::Maker;
 use slipstick::scene::{Coordinate, Degree, End, Label, Num, Owner, Quantity, Scene, Start, Tie};
 use slipstick::solve::ladder::{Force, Wish};
@@ -71,7 +71,7 @@ fn variations(scene: &Scene, data: &[f64]) -> Vec<Scene> {
 /// Wishes for every method, coarse and fine.
 fn wishes() -> Vec<Wish> {
     let mut list = Vec::new();
-    for method in Method::ALL {
+    for method in Method::ALL.iter().copied() {
         match method {
             Method::Closed => list.push(Wish { method: Some(method), ..Wish::default() }),
             Method::Gauss | Method::Dopri5 | Method::Dop853 => {
@@ -255,7 +255,7 @@ fn a_study_has_every_method_and_its_front() {
     let (scene, data) = one("spring-released", 1);
     let labels = [Quantity::V, Quantity::VMax].map(|q| Label { quantity: q, of: Owner::Body(0) });
     let study = ladder::study(&scene, &data, &labels).unwrap();
-    for method in Method::ALL {
+    for method in Method::ALL.iter().copied() {
         let rows: Vec<_> = study.rows.iter().filter(|r| r.rung.method() == method).collect();
         assert!(rows.len() >= if method == Method::Closed { 1 } else { 4 }, "{method:?}");
         let worst: Vec<f64> = rows.iter().map(|r| r.found.as_ref().unwrap().worst).collect();

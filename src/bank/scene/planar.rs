@@ -72,20 +72,7 @@ impl SceneReader<'_> {
         let origin_m = fields.get("placed").and_then(|n| self.place(n));
         let words = [("ahead", Branch::Ahead), ("behind", Branch::Behind)];
         let side = fields.get("side").and_then(|n| self.word(n, "on which side it lies", &words));
-        Planar {
-            points,
-            centre,
-            from,
-            clockwise,
-            unmarked: false,
-            start_deg: None,
-            driven: None,
-            arrives: None,
-            origin_m,
-            level,
-            side,
-            pinned: false,
-        }
+        Planar { points, centre, from, clockwise, origin_m, level, side, ..Planar::default() }
     }
 
     /// The named points of a body.

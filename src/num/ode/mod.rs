@@ -12,6 +12,7 @@ pub mod tableau;
 
 use crate::num::ode::tableau::Tableau;
 use crate::num::{U, trig};
+use std::ops::AddAssign;
 
 /// How one step is made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -130,12 +131,16 @@ pub struct Count {
     pub refused: u64,
 }
 
-/// A landing on an event.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Landing {
-    /// What the event function gives there, evaluated anew.
-    pub residual: f64,
+impl AddAssign for Count {
+    fn add_assign(&mut self, more: Self) {
+        self.evaluations += more.evaluations;
+        self.steps += more.steps;
+        self.refused += more.refused;
+    }
 }
+
+/// What an event or a turn of the motion is told by, from the independent variable and the unknowns.
+type Watched<'w, const N: usize> = &'w dyn Fn(f64, &[f64; N]) -> f64;
 
 /// A sum that keeps what rounding drops.
 #[derive(Debug, Clone, Copy)]
@@ -362,14 +367,11 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Run<N, F> {
             return Err(Trouble::Overdue { at: self.x.value });
         }
         let mut h = self.next;
-        let (order, rtol) = match (self.pace, self.formula) {
-            (Pace::Fixed(_), _) => {
-                let change = self.change(h);
-                return Ok(Proposal { h, change, end: None });
-            }
-            (Pace::Adaptive { rtol, .. }, Formula::Dop853) => (8.0, rtol.max(FINEST)),
-            (Pace::Adaptive { rtol, .. }, _) => (5.0, rtol.max(FINEST)),
+        let Pace::Adaptive { rtol, .. } = self.pace else {
+            let change = self.change(h);
+            return Ok(Proposal { h, change, end: None });
         };
+        let (order, rtol) = (f64::from(self.formula.order()), rtol.max(FINEST));
         let mut refused = false;
         for _ in 0..MOST_TRIES {
             let moved = self.x.plus(h);
@@ -396,10 +398,7 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Run<N, F> {
     }
 
     fn commit(&mut self, h: f64, change: &[f64; N], end: Option<[f64; N]>) {
-        let slope = match end {
-            Some(slope) => slope,
-            None => self.end_slope(h, change),
-        };
+        let slope = end.unwrap_or_else(|| self.end_slope(h, change));
         for (i, y) in self.y.iter_mut().enumerate() {
             *y = y.plus(change[i]);
             self.peak[i] = self.peak[i].max(y.value.abs());
@@ -442,38 +441,28 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Run<N, F> {
     /// `guard` turns positive where the motion turns, and the event must come before.
     ///
     /// Errors: [`Trouble`]. At a turning point within a billionth of the event the turning point counts as the event.
-    pub fn until(
-        &mut self,
-        event: &impl Fn(f64, &[f64; N]) -> f64,
-        scale: f64,
-        guard: &impl Fn(f64, &[f64; N]) -> f64,
-    ) -> Result<Landing, Trouble> {
+    pub fn until(&mut self, event: Watched<N>, scale: f64, guard: Watched<N>) -> Result<(), Trouble> {
         self.seek(event, scale, guard, false)
     }
 
     /// [`Run::until`] the event comes next: one that holds where the run stands (rest, at a start from rest) does not count.
-    pub fn until_next(
-        &mut self,
-        event: &impl Fn(f64, &[f64; N]) -> f64,
-        scale: f64,
-        guard: &impl Fn(f64, &[f64; N]) -> f64,
-    ) -> Result<Landing, Trouble> {
+    pub fn until_next(&mut self, event: Watched<N>, scale: f64, guard: Watched<N>) -> Result<(), Trouble> {
         self.seek(event, scale, guard, true)
     }
 
     fn seek(
         &mut self,
-        event: &impl Fn(f64, &[f64; N]) -> f64,
+        event: Watched<N>,
         scale: f64,
-        guard: &impl Fn(f64, &[f64; N]) -> f64,
+        guard: Watched<N>,
         mut leaving: bool,
-    ) -> Result<Landing, Trouble> {
+    ) -> Result<(), Trouble> {
         loop {
             let mut before = event(self.x.value, &self.y());
             if before >= 0.0 && leaving {
                 before = 0.0;
             } else if before >= 0.0 {
-                return Ok(Landing { residual: before });
+                return Ok(());
             }
             leaving = false;
             let Proposal { h, change, end } = self.propose()?;
@@ -496,7 +485,7 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Run<N, F> {
                 }
                 self.commit(at, &change, None);
                 if -there <= TOUCH * scale {
-                    return Ok(Landing { residual: there });
+                    return Ok(());
                 }
                 return Err(Trouble::Missed { by: -there, at: self.x.value });
             }
@@ -505,13 +494,7 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Run<N, F> {
     }
 
     /// Makes the step that ends on the event, between a step of no length and one of length `h`.
-    fn land(
-        &mut self,
-        h: f64,
-        event: &impl Fn(f64, &[f64; N]) -> f64,
-        scale: f64,
-        ends: (f64, f64),
-    ) -> Result<Landing, Trouble> {
+    fn land(&mut self, h: f64, event: Watched<N>, scale: f64, ends: (f64, f64)) -> Result<(), Trouble> {
         let at = self.shorten(h, event, scale, ends)?;
         let change = self.change(at);
         let residual = event(self.x.value + at, &self.after(&change));
@@ -519,20 +502,14 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Run<N, F> {
             return Err(Trouble::NoConvergence { residual, accepted: NO_LANDING * scale });
         }
         self.commit(at, &change, None);
-        Ok(Landing { residual })
+        Ok(())
     }
 
     /// Length of the step at whose end `event` vanishes, between a step of no length and one of length `h`; the step is made
     /// anew for each try. Inverse quadratic interpolation where it is safe, else halving: T. R. Chandrupatla, *A new hybrid
     /// quadratic/bisection algorithm for finding the zero of a nonlinear function without using derivatives*, Adv. Eng.
     /// Software 28 (1997) 145-149.
-    fn shorten(
-        &mut self,
-        h: f64,
-        event: &impl Fn(f64, &[f64; N]) -> f64,
-        scale: f64,
-        ends: (f64, f64),
-    ) -> Result<f64, Trouble> {
+    fn shorten(&mut self, h: f64, event: Watched<N>, scale: f64, ends: (f64, f64)) -> Result<f64, Trouble> {
         let at = |run: &mut Self, c: f64| {
             let change = run.change(c);
             let value = event(run.x.value + c, &run.after(&change));
@@ -697,9 +674,9 @@ mod tests {
                 };
                 // From rest at -1: the place goes as -cos x.
                 let mut run = Run::new(formula, spring, 0.0, [-1.0, 0.0], pace);
-                let landing = run.until(&|_, y| (y[0] + 1.0) - target, 1.0, &|_, y| -y[1]).unwrap();
+                run.until(&|_, y| (y[0] + 1.0) - target, 1.0, &|_, y| -y[1]).unwrap();
                 let miss = (run.y()[0] + 1.0 - target).abs();
-                assert!(landing.residual.abs() <= 3.0 * U, "{formula:?}: {landing:?}");
+                assert!(miss <= 3.0 * U, "{formula:?}: {miss}");
                 assert!(miss <= 4e-16, "{formula:?} {target}: {miss}");
             }
         }

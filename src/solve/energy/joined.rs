@@ -15,6 +15,7 @@ mod work;
 use crate::num::eliminate::{Equations, Reduced};
 use crate::num::gauss::PerNode;
 use crate::num::half::Half;
+use crate::num::jet::Followed;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Jet, Real, ball, root};
@@ -267,7 +268,7 @@ impl<'a, T: Real> Account<'a, T> {
     fn new(scene: &'a Scene, n: &'a Numbers<'a, T>) -> Result<Self, Refusal> {
         let lead = scene.lead().ok_or(Refusal::Freedoms(0))?;
         let centres = scene.bodies.iter().zip(&n.bodies).map(|(body, numbers)| {
-            let centre = body.planar.as_ref().map_or(Place::At(crate::scene::Num::Fixed(0.0)), |p| p.centre);
+            let centre = body.planar.as_ref().map_or_else(Place::default, |p| p.centre);
             let turns = body.turns && !numbers.inertia.is_zero();
             let gyration = if turns { (numbers.inertia / numbers.mass).root() } else { T::zero() };
             (pose::along(n, centre), gyration)
@@ -389,7 +390,7 @@ impl<'a, T: Real> Account<'a, T> {
     /// Length of a spring; of a torsion spring that angle.
     fn length(&self, poses: &Poses<T>, s: usize) -> Jet<T> {
         let [x, y] = self.apart(poses, s);
-        if self.scene.struts[s].twists() { x } else { (x * x + y * y).root() }
+        if self.scene.struts[s].twists() { x } else { (x * x + y * y).square_root() }
     }
 
     /// [`Layout::overruns`].

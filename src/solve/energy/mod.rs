@@ -24,8 +24,8 @@ use crate::scene::{
 };
 use crate::solve::energy::account::{Account, Store, Stores};
 use crate::solve::energy::balance::{PerTie, Power, Reactions};
-use crate::solve::energy::onset::Onset;
-use crate::solve::energy::phases::Phases;
+use crate::solve::energy::onset::Rolled;
+use crate::solve::energy::phases::{Follower, Phases};
 use crate::solve::energy::quadrature::{Sum, Summed};
 use crate::solve::energy::speeds::Mode;
 use crate::solve::found;
@@ -55,13 +55,25 @@ pub fn datum_found(scene: &Scene, data: &[f64]) -> Option<f64> {
 
 /// Everything that it finds, by the kind of the scene.
 fn of_kind<T: Real>(scene: &Scene, n: Numbers<T>, asked: Scope) -> Result<Road<T>, Refusal> {
+    Ok(of_kind_by(scene, n, asked, None)?.0)
+}
+
+/// [`of_kind`], by a quadrature of so many points if they are given, and what that cost.
+fn of_kind_by<T: Real>(
+    scene: &Scene,
+    n: Numbers<T>,
+    asked: Scope,
+    points: Option<usize>,
+) -> Result<(Road<T>, Count), Refusal> {
     if scene.lead().is_some() {
-        return Ok(joined::road(scene, &n, asked, None)?.0);
+        return joined::road(scene, &n, asked, points);
     }
     if matches!(scene.end, End::AtOnce) {
-        return at_once(scene, n);
+        return Ok((at_once(scene, n)?, Count::default()));
     }
-    Ok(Ledger::open(scene, n)?.settle()?.0)
+    let mut ledger = Ledger::open(scene, n)?;
+    ledger.points = points;
+    ledger.settle()
 }
 
 /// An instant: velocities and energies, and where the scene could go on, what its powers give.
@@ -101,29 +113,11 @@ pub fn road_by<T: Real>(
             None => Ok((self::road(scene, data)?, Count::default())),
         };
     }
-    let (road, count) = alone_by(scene, data, points)?;
-    Ok((found::answering(road.telling(scene), scene, data, of_kind)?, count))
-}
-
-/// [`road_by`] without what is asked by formulas.
-fn alone_by<T: Real>(
-    scene: &Scene,
-    data: &[f64],
-    points: Option<usize>,
-) -> Result<(Road<T>, Count), Refusal> {
-    let n = Numbers::<T>::new(scene, data);
-    if scene.lead().is_some() {
-        return joined::road(scene, &n, Scope::ALL, points);
-    }
-    if matches!(scene.end, End::AtOnce) {
-        return Ok((at_once(scene, n)?, Count::default()));
-    }
-    if scene.goes_in_phases() {
+    if scene.goes_in_phases() && !matches!(scene.end, End::AtOnce) {
         return Err(Refusal::NoMethod { method: Method::Gauss });
     }
-    let mut ledger = Ledger::open(scene, n)?;
-    ledger.points = points;
-    ledger.settle()
+    let (road, count) = of_kind_by(scene, Numbers::new(scene, data), Scope::ALL, points)?;
+    Ok((found::answering(road.telling(scene), scene, data, of_kind)?, count))
 }
 
 /// What springs pull at a place.
@@ -148,7 +142,7 @@ struct Ledger<'a, T: Real> {
     /// Friction that has to be overcome at the start, for the drive.
     at_start: PerTie<T>,
     /// For each contact that is said to slip: its friction if it rolled.
-    rolled: SmallVec<[(usize, T); 1]>,
+    rolled: Rolled<T>,
     /// Sense in which it would set off without sliding friction.
     inclined: f64,
     /// Speed of the ending coordinate at the start.
@@ -283,8 +277,12 @@ impl<'a, T: Real> Ledger<'a, T> {
         if scene.goes_in_phases() {
             return Self::in_phases(scene, n, &pulls);
         }
-        let mut onset = Onset::new(scene, &n, &pulls);
-        onset.slips();
+        let mut now = Follower::new(scene, &n, &pulls);
+        // What slides has no friction until the sense of the motion is known.
+        for (kinetic, tie) in now.kinetic.iter_mut().zip(&scene.ties) {
+            *kinetic = matches!(tie, Tie::Slide { .. }).then(T::zero);
+        }
+        let mut rolled = now.slips();
         let modes = speeds::modes(scene, &n, &[]);
         // Rate of the first mode at the start, from the first given speed that it has; the others have to agree.
         let rate0 = modes.first().map_or_else(T::zero, |m| {
@@ -300,19 +298,19 @@ impl<'a, T: Real> Ledger<'a, T> {
         let v0 = modes.first().map_or_else(T::zero, |m| rate0 * m.of(end));
         let loose = modes.first().cloned();
         let held = modes.iter().all(|m| m.of(end).is_zero());
-        let mut start_rate = drive(scene, &n, &modes, &frictions(&onset.kinetic), &pulls);
+        let mut start_rate = drive(scene, &n, &modes, &frictions(&now.kinetic), &pulls);
         let inclined = start_rate.of(end).sign();
-        let mut at_start = frictions(&onset.kinetic);
+        let mut at_start = frictions(&now.kinetic);
         let mut left = modes;
         if scene.ties.iter().any(|t| matches!(t, Tie::Slide { .. })) {
-            let going = match left.first() {
+            let going: SmallVec<[f64; 4]> = match left.first() {
                 Some(m) if started => m.v.iter().map(|v| (*v * rate0).sign()).collect(),
                 _ => start_rate.v.iter().map(|v| v.sign()).collect(),
             };
-            at_start = onset.slides(going, started);
-            left = speeds::modes(scene, &n, &onset.holds);
-            start_rate = drive(scene, &n, &left, &frictions(&onset.kinetic), &pulls);
-            onset.rolled_beside_sliding();
+            at_start = now.slides(&going, started);
+            (left, start_rate) = (now.modes(), now.rate());
+            // The work of what slides counts in what the contacts that slip would need to roll.
+            rolled.iter_mut().for_each(|(t, friction)| *friction = now.friction_if_held(*t));
         }
         let lead = start_rate.of(end);
         let mode = if left.len() == 1 || lead.is_zero() {
@@ -326,7 +324,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             mode
         };
         let loose = loose.filter(|_| mode.of(end).is_zero()).unwrap_or_else(|| mode.clone());
-        let Onset { kinetic, rolled, .. } = onset;
+        let kinetic = now.kinetic;
         let mut ledger = Self::still(scene, n, (mode, start_rate), kinetic);
         (ledger.loose, ledger.held, ledger.free) = (loose, held, !left.is_empty());
         (ledger.at_start, ledger.rolled, ledger.inclined) = (at_start, rolled, inclined);
@@ -363,7 +361,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             start_rate,
             at_start: frictions(&kinetic),
             kinetic,
-            rolled: SmallVec::new(),
+            rolled: Rolled::new(),
             inclined: 0.0,
             v0: T::zero(),
             started: false,

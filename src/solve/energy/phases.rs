@@ -70,11 +70,14 @@ pub struct Phases<T: Real> {
 }
 
 /// What is fixed while a motion is followed, and how far it is.
-struct Follower<'s, 'a, T: Real> {
-    scene: &'s Scene,
-    n: &'s Numbers<'a, T>,
+pub struct Follower<'s, 'a, T: Real> {
+    /// The scene.
+    pub scene: &'s Scene,
+    /// Its numbers.
+    pub n: &'s Numbers<'a, T>,
     pulls: &'s [T],
-    kinetic: PerTie<Option<T>>,
+    /// Kinetic friction of the contacts that rub; those that hold have none.
+    pub kinetic: PerTie<Option<T>>,
     sense: f64,
     turned: bool,
     gone: T,
@@ -83,7 +86,7 @@ struct Follower<'s, 'a, T: Real> {
 }
 
 /// Is it a contact that is said to slip?
-fn slips(scene: &Scene, tie: usize) -> bool {
+pub fn slips(scene: &Scene, tie: usize) -> bool {
     matches!(scene.ties[tie], Tie::Slip { .. })
 }
 
@@ -129,9 +132,7 @@ impl<T: Real> Phases<T> {
     pub fn follow(scene: &Scene, n: &Numbers<T>, pulls: &[T]) -> Result<Self, Refusal> {
         let (zero, at_once) = (T::zero(), scene.end == End::AtOnce);
         let mut from = speeds::at_start(scene, n)?;
-        let kinetic = smallvec![None; scene.ties.len()];
-        let (gone, spent, turned, let_go) = (zero, zero, false, 0);
-        let mut now = Follower { scene, n, pulls, kinetic, sense: 0.0, turned, gone, spent, let_go };
+        let mut now = Follower::new(scene, n, pulls);
         let mut all = Self { legs: SmallVec::new(), ended: false, rolled: SmallVec::new(), sense: 0.0 };
         let (mut held, mut needs) = now.onset(&from, &mut all)?;
         let onset = now.kinetic.clone();
@@ -227,23 +228,30 @@ impl<T: Real> Phases<T> {
     }
 }
 
-impl<T: Real> Follower<'_, '_, T> {
+impl<'s, 'a, T: Real> Follower<'s, 'a, T> {
+    /// It stands at the start, and nothing rubs.
+    pub fn new(scene: &'s Scene, n: &'s Numbers<'a, T>, pulls: &'s [T]) -> Self {
+        let (kinetic, gone) = (smallvec![None; scene.ties.len()], T::zero());
+        Self { scene, n, pulls, kinetic, sense: 0.0, turned: false, gone, spent: gone, let_go: 0 }
+    }
     fn rubbing(&self) -> impl Iterator<Item = (usize, Rubbing)> {
         let ties = self.scene.ties.iter().enumerate();
         ties.filter_map(|(t, tie)| Some((t, tie.rubbing()?)))
     }
     /// Motions in which the contacts that hold are at rest.
-    fn modes(&self) -> Modes<T> {
+    pub fn modes(&self) -> Modes<T> {
         let holds: PerTie<bool> = self.kinetic.iter().map(Option::is_none).collect();
         speeds::modes(self.scene, self.n, &holds)
     }
     fn power(&self, kinetic: &[Option<T>], mode: &Mode<T>) -> (T, f64) {
         push(self.scene, self.n, mode, &frictions(kinetic), self.pulls)
     }
-    fn rate(&self) -> Mode<T> {
+    /// Their accelerations.
+    pub fn rate(&self) -> Mode<T> {
         motion(self.n, &self.modes(), |mode| self.power(&self.kinetic, mode))
     }
-    fn reactions(&self, rate: &Mode<T>) -> Reactions<T> {
+    /// The reactions then.
+    pub fn reactions(&self, rate: &Mode<T>) -> Reactions<T> {
         balance::reactions(self.scene, self.n, &|c: Coordinate| rate.of(c), self.pulls, &self.kinetic)
     }
 
@@ -281,9 +289,9 @@ impl<T: Real> Follower<'_, '_, T> {
     }
 
     /// Kinetic friction.
-    fn friction(&self, rub: &Rubbing) -> T {
+    pub fn friction(&self, rub: &Rubbing) -> T {
         let normal = balance::normal(self.scene, self.n, rub.body);
-        plant!("energy: kinetic friction of what starts with a speed", self.n.get(rub.mu_k)) * normal
+        plant!("energy: kinetic friction", self.n.get(rub.mu_k)) * normal
     }
 
     /// The friction that those contacts need which hold. Bodies that slide and are held together give way in one motion: its power is

@@ -4,9 +4,23 @@
 //! regular first: with `W = s (S - s) h`, S the turning point, `s = S sin^2 p` gives `dt = sqrt(2 M / h) dp`, and h is regular at
 //! both ends; without a turning point `s = D x^2`. Where the motion starts with a speed, `ds / u` is regular save towards a
 //! turning point, which is taken as the far end of the same form.
-use crate::num::{Real, legendre, trig};
+use crate::num::gauss::Rule;
+use crate::num::{Real, trig};
 use crate::solve::energy::account::Account;
 use std::cell::Cell;
+use std::sync::OnceLock;
+
+/// The most points of a quadrature.
+const MOST_POINTS: usize = 96;
+
+/// `int_a^b f / (b - a)` by `n` points, 1 to [`MOST_POINTS`] (the nearest of these otherwise), whose rule is made once.
+fn mean<T: Real>(n: usize, (a, b): (T, T), f: impl Fn(T) -> T) -> T {
+    static RULES: [OnceLock<Rule>; MOST_POINTS] = [const { OnceLock::new() }; MOST_POINTS];
+    let n = n.clamp(1, MOST_POINTS);
+    let rule = RULES[n - 1].get_or_init(|| Rule::new(n));
+    let values: Vec<T> = rule.nodes.iter().map(|x| f(a + (b - a) * T::constant(*x))).collect();
+    rule.mean(&values)
+}
 
 /// What the quadrature gives at a place.
 #[derive(Debug, Clone, Copy)]
@@ -32,12 +46,11 @@ pub struct Leg<'a, T> {
 impl<T: Real> Leg<'_, T> {
     /// Mean force between two places: the work is this times the way.
     pub fn mean(&self, a: T, b: T) -> T {
-        let width = b - a;
-        let rule = legendre::rule(self.points);
-        rule.nodes
-            .iter()
-            .zip(&rule.weights)
-            .fold(T::zero(), |sum, (x, w)| sum + T::constant(*w) * (self.force)(a + width * T::constant(*x)))
+        mean(self.points, (a, b), self.force)
+    }
+    /// `int_a^b f`.
+    fn integral(&self, a: T, b: T, f: impl Fn(T) -> T) -> T {
+        (b - a) * mean(self.points, (a, b), f)
     }
     /// Speed at an energy.
     pub fn speed(&self, energy: T) -> T {
@@ -48,10 +61,10 @@ impl<T: Real> Leg<'_, T> {
         let twice = self.doubled.scale2(1);
         let Some(far) = far.filter(|far| s.at_most(*far)) else {
             let per_root = |x: T| (twice * s / self.mean(T::zero(), s * x.square())).root();
-            return legendre::integral(self.points, T::zero(), T::of(1.0), per_root);
+            return self.integral(T::zero(), T::of(1.0), per_root);
         };
         let end = trig::atan2(s.root(), far.balance(-s).root());
-        legendre::integral(self.points, T::zero(), end, |p| {
+        self.integral(T::zero(), end, |p| {
             let (sine, cosine) = trig::turn(p);
             let (near, left) = (far * sine.square(), far * cosine.square());
             let h = if near.below(left) {
@@ -66,13 +79,13 @@ impl<T: Real> Leg<'_, T> {
     pub fn onward(&self, (a, ua): (T, T), (b, ub): (T, T), far: Option<T>) -> T {
         let slows = ub.at_most(ua.scale2(-1));
         let Some(far) = far.filter(|_| slows) else {
-            return legendre::integral(self.points, T::zero(), b - a, |x| {
+            return self.integral(T::zero(), b - a, |x| {
                 let work = x * self.mean(a, a + x);
                 T::of(1.0) / (ua.square().balance(work.scale2(1) / self.doubled)).root()
             });
         };
         // It slows down to less than half: from the turning point, at the distance z^2, dt = 2 dz / sqrt(-2 Q / M).
-        legendre::integral(self.points, far.balance(-b).root(), (far - a).root(), |z| {
+        self.integral(far.balance(-b).root(), (far - a).root(), |z| {
             let back = -self.mean(far - z.square(), far);
             (self.doubled.scale2(1) / back).root()
         })

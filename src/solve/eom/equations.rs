@@ -188,6 +188,19 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
     assembled(scene, n, setting, scene.growths.iter().map(grown).collect())
 }
 
+/// The response with this contact held too, and the others as they are taken. Errors: other ties share its friction.
+pub fn held<T: Real>(
+    scene: &Scene,
+    n: &Numbers<T>,
+    setting: &Setting,
+    tie: usize,
+) -> Result<Response<T>, Refusal> {
+    let mut setting = setting.clone();
+    setting.holds[tie] = true;
+    let response = respond(scene, n, &setting)?;
+    if response.is_open(tie) { Err(Refusal::SlipShared(tie)) } else { Ok(response) }
+}
+
 /// Normal force on each body, which no unknown acts on: `N = m g cos theta + m a_out - P sin tilt`, and 0 off a surface.
 pub fn normals<T: Real>(scene: &Scene, n: &Numbers<T>) -> SmallVec<[T; 2]> {
     let pressed = scene.bodies.iter().zip(&n.bodies).map(|(body, numbers)| {

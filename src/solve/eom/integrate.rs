@@ -4,6 +4,8 @@
 //! goes slack) a step ends on the change and the next begins under the new law.
 use crate::num::Real;
 use crate::num::ode::{Count, Formula, MOST_STEPS, Run, Trouble};
+use crate::scene::Quantity;
+use crate::solve::eom::Steps;
 use crate::solve::eom::travel::{Leg, State, Travel};
 use crate::solve::method::Rung;
 use smallvec::SmallVec;
@@ -55,11 +57,6 @@ pub fn pace(way: f64, force: f64, u0: f64) -> f64 {
     if pace.is_finite() { pace } else { 1.0 }
 }
 
-/// Nothing presses on this way.
-pub fn unpressed(_: f64, _: f64) -> f64 {
-    f64::NAN
-}
-
 impl<L: Fn(usize, f64, f64) -> f64> Route<'_, L> {
     /// The states at these events, which are given in the order in which they come, each with the distance at which it is
     /// expected (only to know on which side of the switch it lies).
@@ -99,12 +96,12 @@ impl<L: Fn(usize, f64, f64) -> f64> Route<'_, L> {
             let pressed = |_: f64, y: &[f64; 2]| -(self.presses)(y[0], y[1]);
             loop {
                 let landed = match *event {
-                    Event::Place(s) => run.until(&|_, y| y[0] - s, s.abs(), &turned).map(|_| ()),
+                    Event::Place(s) => run.until(&|_, y| y[0] - s, s.abs(), &turned),
                     Event::Time(t) => run.to(t),
-                    Event::Rise(u) => run.until(&|_, y| y[1] - u, speed, &turned).map(|_| ()),
-                    Event::Fall(u) => run.until_next(&|_, y| u - y[1], speed, &forever).map(|_| ()),
-                    Event::Level => run.until(&law, force, &turned).map(|_| ()),
-                    Event::Release => run.until(&pressed, pressing, &turned).map(|_| ()),
+                    Event::Rise(u) => run.until(&|_, y| y[1] - u, speed, &turned),
+                    Event::Fall(u) => run.until_next(&|_, y| u - y[1], speed, &forever),
+                    Event::Level => run.until(&law, force, &turned),
+                    Event::Release => run.until(&pressed, pressing, &turned),
                 };
                 match landed {
                     Err(Trouble::Overdue { .. }) if !bounded => {
@@ -139,21 +136,15 @@ pub struct Path<T> {
     pub count: Count,
 }
 
-/// Which states are wanted.
-#[derive(Debug, Clone, Copy)]
-pub struct Wanted<T> {
-    /// The ending event, and the distance at which the closed form has it.
-    pub end: Option<(Event, T)>,
-    /// The greatest speed.
-    pub fastest: bool,
-    /// The turning point.
-    pub turning: bool,
-}
-
-/// Follows a motion under a constant or linear law by this rung, once, landing on each event that is wanted.
+/// Follows a motion under a constant or linear law by this rung, once, landing on each event that is wanted: the ending one, if there is
+/// one at the distance at which the closed form has it, that of the greatest speed and the turning point, if they are asked for.
 ///
 /// Which events there are follows from the signs in the law; where they are, from the steps. Errors: [`Trouble`].
-pub fn path<T: Real>(travel: &Travel<'_, T>, wanted: &Wanted<T>, rung: Rung) -> Result<Path<T>, Trouble> {
+pub fn path<T: Real>(
+    travel: &Travel<'_, T>,
+    end: Option<(Event, T)>,
+    (rung, asked): Steps,
+) -> Result<Path<T>, Trouble> {
     let leg = |leg: &Leg<T>| [leg.from.f64(), leg.f.f64(), leg.w2.map_or(0.0, T::f64)];
     let legs: SmallVec<[[f64; 3]; 2]> = travel.legs.iter().map(leg).collect();
     let switches: SmallVec<[f64; 2]> = legs.iter().skip(1).map(|leg| leg[0]).collect();
@@ -161,17 +152,18 @@ pub fn path<T: Real>(travel: &Travel<'_, T>, wanted: &Wanted<T>, rung: Rung) -> 
     const END: usize = 0;
     const FASTEST: usize = 1;
     const TURNING: usize = 2;
-    if let Some((event, s)) = wanted.end {
+    if let Some((event, s)) = end {
         events.push((event, s.f64(), END));
     }
-    if let (true, Some((at, _))) = (wanted.fastest, travel.fastest()) {
+    let fastest = asked(Quantity::VMax) || asked(Quantity::DAtVMax);
+    if let (true, Some((at, _))) = (fastest, travel.fastest()) {
         let at = at.f64();
         // At the start, or where a cord goes slack, or where the acceleration vanishes on the way.
         let kept = at == 0.0 || legs.iter().skip(1).any(|leg| at >= leg[0] && leg[1] == 0.0);
         let event = if kept { Event::Place(at) } else { Event::Level };
         events.push((event, at, FASTEST));
     }
-    if let (true, Some(at)) = (wanted.turning, travel.turning()) {
+    if let (true, Some(at)) = (asked(Quantity::DTurn), travel.turning()) {
         events.push((Event::Fall(0.0), at.f64(), TURNING));
     }
     events.sort_by(|a, b| a.1.total_cmp(&b.1));
@@ -179,7 +171,7 @@ pub fn path<T: Real>(travel: &Travel<'_, T>, wanted: &Wanted<T>, rung: Rung) -> 
     let u0 = travel.u0.f64();
     let route = Route {
         law: |piece: usize, s: f64, _: f64| legs.get(piece).map_or(0.0, |[from, f, w2]| f - w2 * (s - from)),
-        presses: &unpressed,
+        presses: &|_, _| f64::NAN,
         switches: &switches,
         u0,
         pace: pace(farthest, legs.iter().fold(0.0, |most, leg| f64::max(most, leg[1].abs())), u0),

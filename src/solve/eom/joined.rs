@@ -14,11 +14,11 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, root, trig};
 use crate::scene::{End, Joint, Numbers, Owner, Quantity, Scene, Spot};
-use crate::solve::eom::STEPS;
 use crate::solve::eom::integrate::{Event, Route, pace};
 use crate::solve::eom::pendulum::Pendulum;
 use crate::solve::eom::planar::{LOOKED_THROUGH, Mechanism, Response, State};
 use crate::solve::eom::travel;
+use crate::solve::eom::{STEPS, Steps};
 use crate::solve::method::Rung;
 use crate::solve::outcome::{self, Course, Held, Refusal, Road, Scope, Unsupported};
 use smallvec::SmallVec;
@@ -190,9 +190,6 @@ impl Passes {
         self.greatest = f64::max(self.greatest, energy);
     }
 }
-
-/// A rung, and which quantities are wanted of it.
-pub type Steps<'s> = (Rung, &'s dyn Fn(Quantity) -> bool);
 
 /// What stops a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -19,11 +19,11 @@ use crate::num::{Lanes, lanes};
 use crate::num::{Real, trig};
 use crate::scene::pose;
 use crate::scene::{
-    Action, Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Label, Law, Made,
-    Numbers, Owner, Quantity, Scene, Side, Span, Start, Tie, speed,
+    Action, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Label, Law, Made, Numbers, Owner,
+    Quantity, Scene, Span, Start, Tie, speed,
 };
 use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, needs, normals, respond};
-use crate::solve::eom::integrate::{Event, Path, Wanted, path};
+use crate::solve::eom::integrate::{Event, Path, path};
 use crate::solve::eom::onset::Onset;
 use crate::solve::eom::phases::{Linear, Phases};
 use crate::solve::eom::travel::{Leg, State, Travel};
@@ -103,13 +103,29 @@ fn is_given(scene: &Scene) -> bool {
 
 /// Everything that it finds, by the kind of the scene.
 fn of_kind<T: Real>(scene: &Scene, n: Numbers<T>, asked: Scope) -> Result<Road<T>, Refusal> {
+    Ok(of_kind_by(scene, n, asked, None)?.0)
+}
+
+/// [`of_kind`], by the steps of a rung if one is given, and what they cost.
+fn of_kind_by<'a, T: Real>(
+    scene: &'a Scene,
+    n: Numbers<'a, T>,
+    asked: Scope,
+    by: Option<Steps<'a>>,
+) -> Result<(Road<T>, Count), Refusal> {
     if scene.lead().is_some() {
-        return Ok(joined::road_by(scene, &n, asked, None)?.0);
+        // Its formula wants accelerations that do not hang on the speed.
+        return match by.map(|(rung, _)| rung.method()) {
+            Some(method @ Method::Verlet) if scene.pinned().is_none() => Err(Refusal::NoMethod { method }),
+            _ => joined::road_by(scene, &n, asked, by),
+        };
     }
     if matches!(scene.end, End::AtOnce) {
-        return at_once(scene, n, asked);
+        return Ok((at_once(scene, n, asked)?, Count::default()));
     }
-    Ok(Walk::new(scene, n, asked)?.walk()?.0)
+    let mut walk = Walk::new(scene, n, asked)?;
+    walk.by = by;
+    walk.walk()
 }
 
 /// An instant: velocities and energies, and where the scene could go on, accelerations and forces.
@@ -152,31 +168,8 @@ pub fn road_by<T: Real>(
     if scene.formulas.found.is_some() {
         return Err(Refusal::NoMethod { method: rung.method() });
     }
-    let (road, count) = alone_by(scene, data, rung, asked)?;
+    let (road, count) = of_kind_by(scene, Numbers::new(scene, data), Scope::ALL, Some((rung, asked)))?;
     Ok((found::answering(road.telling(scene), scene, data, of_kind)?, count))
-}
-
-/// [`road_by`] without what is asked by formulas.
-fn alone_by<T: Real>(
-    scene: &Scene,
-    data: &[f64],
-    rung: Rung,
-    asked: &dyn Fn(Quantity) -> bool,
-) -> Result<(Road<T>, Count), Refusal> {
-    let n = Numbers::<T>::new(scene, data);
-    if scene.lead().is_some() {
-        // Its formula wants accelerations that do not hang on the speed.
-        return match rung.method() {
-            Method::Verlet if scene.pinned().is_none() => Err(Refusal::NoMethod { method: Method::Verlet }),
-            _ => joined::road_by(scene, &n, Scope::ALL, Some((rung, asked))),
-        };
-    }
-    if matches!(scene.end, End::AtOnce) {
-        return Ok((at_once(scene, n, Scope::ALL)?, Count::default()));
-    }
-    let mut walk = Walk::new(scene, n, Scope::ALL)?;
-    walk.by = Some((rung, asked));
-    walk.walk()
 }
 
 /// Moment of the couples on a body, positive with rolling forward; `None` without any.
@@ -185,6 +178,9 @@ pub(super) fn couple_on<T: Real>(scene: &Scene, n: &Numbers<T>, body: usize) -> 
     let moments = moments.map(|c| n.massive(c.moment_n_m).signed(if c.forward { 1.0 } else { -1.0 }));
     moments.reduce(T::balance)
 }
+
+/// A rung, and which quantities are wanted of it.
+pub type Steps<'s> = (Rung, &'s dyn Fn(Quantity) -> bool);
 
 /// May a road go by steps? Not in a page: what a sheet asks has a closed form or a quadrature, and its page is to be small.
 const STEPS: bool = cfg!(feature = "program");
@@ -225,16 +221,12 @@ fn under<T: Real>(pulls: &[T], of: impl Fn(usize) -> T) -> T {
 
 /// Travel of a cord's end along the cord, where coordinates travel so far.
 fn take_up<T: Real>(n: &Numbers<T>, end: &CordEnd, travel: impl Fn(Degree) -> T) -> T {
-    let centre = travel(Degree::Along);
-    let centre = end.tilt_deg.map_or(centre, |tilt| centre * pose::direction(n, tilt)[0]);
-    let wound = match end.attach {
-        Attach::Wound(p, side) => {
-            let arm = travel(Degree::Turn) * plant!("eom: unwinding of a cord", n.get(p));
-            if side == Side::Top { arm } else { -arm }
-        }
-        Attach::Centre => T::zero(),
-    };
-    centre.balance(wound).signed(if end.forward { 1.0 } else { -1.0 })
+    let Action { along, arm, tilt_deg, .. } = end.action();
+    let centre = travel(Degree::Along).signed(along);
+    let centre = tilt_deg.map_or(centre, |tilt| centre * pose::direction(n, tilt)[0]);
+    let Some((radius, sense)) = arm else { return centre };
+    let arm = plant!("eom: unwinding of a cord", n.get(radius)).signed(sense);
+    centre.balance(travel(Degree::Turn) * arm)
 }
 
 /// Finds the stretch of each spring where the forces balance: on any coordinate that a spring moves, the ending one first.
@@ -356,7 +348,7 @@ struct Walk<'a, T: Real> {
     /// Does it start with a speed, of whichever coordinate?
     started: bool,
     /// Steps instead of the closed form: the rung, and which quantities are wanted.
-    by: Option<(Rung, &'a dyn Fn(Quantity) -> bool)>,
+    by: Option<Steps<'a>>,
     asked: Scope,
     road: Road<T>,
 }
@@ -942,10 +934,8 @@ impl<'a, T: Real> Walk<'a, T> {
             };
             Some((event, s))
         });
-        let fastest = asked(Quantity::VMax) || asked(Quantity::DAtVMax);
-        let wanted = Wanted { end: event, fastest, turning: asked(Quantity::DTurn) };
         let trouble = |trouble| Refusal::Trouble { method: rung.method(), trouble };
-        path(travel, &wanted, rung).map(Some).map_err(trouble)
+        path(travel, event, (rung, asked)).map(Some).map_err(trouble)
     }
 
     /// What the event asks for, in its own measure, and the distance at which it comes.

@@ -1,7 +1,7 @@
 //! What a motion sets off with: which contacts hold, and against what the others rub.
 use crate::num::Real;
 use crate::scene::{Coordinate, Degree, Numbers, Scene, Tie};
-use crate::solve::eom::equations::{Response, Setting, respond};
+use crate::solve::eom::equations::{Response, Setting, held, respond};
 use crate::solve::eom::{Rolled, under};
 use crate::solve::outcome::{Refusal, Unsupported};
 use smallvec::SmallVec;
@@ -45,15 +45,6 @@ impl<T: Real> Onset<'_, '_, T> {
         Ok(())
     }
 
-    /// The response with this contact held and the others that are said to slip as they are taken.
-    fn held(&mut self, tie: usize) -> Result<Response<T>, Refusal> {
-        self.setting.holds[tie] = true;
-        let one = respond(self.scene, self.n, &self.setting);
-        self.setting.holds[tie] = false;
-        let one = one?;
-        if one.is_open(tie) { Err(Refusal::SlipShared(tie)) } else { Ok(one) }
-    }
-
     /// Contacts that are said to slip, from rest: kinetic friction has the sense that static friction would have, the other contacts as
     /// declared. The response is so far that with all of them held.
     pub fn slips(&mut self, slipping: &[usize]) -> Result<(), Refusal> {
@@ -69,7 +60,7 @@ impl<T: Real> Onset<'_, '_, T> {
         } else {
             for settled in [false, true] {
                 for t in slipping {
-                    let one = self.held(*t)?;
+                    let one = held(self.scene, self.n, &self.setting, *t)?;
                     self.setting.friction_sense[*t] = self.reaction(&one, *t).sign();
                     if settled {
                         self.rolled.push((*t, one));
@@ -101,7 +92,7 @@ impl<T: Real> Onset<'_, '_, T> {
         }
         // What slips may pull what slides: the friction that it would need is told with theirs.
         for (t, _) in std::mem::take(&mut self.rolled) {
-            let one = self.held(t)?;
+            let one = held(self.scene, self.n, &self.setting, t)?;
             let turned = self.reaction(&one, t).sign() * self.setting.friction_sense[t] < 0.0;
             let back = |s: usize| {
                 let a = sliding(self.scene, s).map(|c| under(self.pulls, |k| one.acceleration(c, k)).sign());

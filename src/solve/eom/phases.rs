@@ -275,13 +275,7 @@ impl<'a, T: Real> Phases<'a, T> {
     fn if_held(&mut self, n: &Numbers<T>, first: &Setting) -> Result<(), Refusal> {
         for (t, tie) in self.scene.ties.iter().enumerate() {
             if matches!(tie, Tie::Slip { .. }) && self.rolled.iter().all(|(known, _)| *known != t) {
-                let mut setting = first.clone();
-                setting.holds[t] = true;
-                let response = respond(self.scene, n, &setting)?;
-                if response.is_open(t) {
-                    return Err(Refusal::SlipShared(t));
-                }
-                self.rolled.push((t, response));
+                self.rolled.push((t, equations::held(self.scene, n, first, t)?));
             }
         }
         Ok(())
@@ -510,17 +504,12 @@ impl<'a, T: Real> Phases<'a, T> {
                     Stop::Time(time) => run.to(*time),
                     Stop::Rest => {
                         let sense = -v.sign();
-                        run.until(&|_, y| sense * y[1], v.size(), &|_, _| -1.0).map(|_| ())
+                        run.until(&|_, y| sense * y[1], v.size(), &|_, _| -1.0)
                     }
-                    Stop::Place(s) => {
-                        run.until(&|_, y| s.signum() * (y[0] - s), s.abs(), &|_, _| -1.0).map(|_| ())
-                    }
+                    Stop::Place(s) => run.until(&|_, y| s.signum() * (y[0] - s), s.abs(), &|_, _| -1.0),
                 };
                 landed.map_err(|trouble| Refusal::Trouble { method: rung.method(), trouble })?;
-                let count = run.count();
-                sum.evaluations += count.evaluations;
-                sum.steps += count.steps;
-                sum.refused += count.refused;
+                sum += run.count();
                 let [x, v] = run.y();
                 Ok([run.x(), x, v])
             };

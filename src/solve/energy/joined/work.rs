@@ -1,5 +1,6 @@
 //! What forces do over a way of joined bodies, and the rate that it leaves them with.
 use crate::num::gauss::{PerNode, Unsettled};
+use crate::num::jet::Followed;
 use crate::num::plant::plant;
 use crate::num::{Jet, Real, gauss};
 use crate::scene::pose::Pose;
@@ -105,31 +106,23 @@ impl<T: Real> Account<'_, T> {
             powers.push(moment * if c.forward { turn } else { -turn });
         }
         for (s, (strut, natural)) in self.scene.struts.iter().zip(&self.natural).enumerate() {
-            if strut.acts != Acts::Both && !self.bears(s, self.length(poses, s).value) {
+            let length = self.length(poses, s).value;
+            if strut.acts != Acts::Both && !self.bears(s, length) {
                 continue;
             }
-            let near = self.point(poses, strut.at).map(|x| x.value);
-            let (far, moves) = match strut.to {
+            let moves = match strut.to {
                 StrutEnd::Twist => {
                     let turn = motion[strut.at.body][2].signed(self.counts(strut.at.body));
                     let stiffness =
                         plant!("energy: power of a torsion spring", self.n.massive(strut.stiffness_n_m));
-                    powers.push(-(stiffness * self.length(poses, s).value * turn));
+                    powers.push(-(stiffness * length * turn));
                     continue;
                 }
-                StrutEnd::Ground(place) => (pose::ground(self.n, place), [T::zero(); 2]),
-                StrutEnd::Spot(spot) => {
-                    (self.point(poses, spot).map(|x| x.value), self.of_spot(poses, motion, spot))
-                }
-                // It moves along the guide, across the spring.
-                StrutEnd::Guide { through_m, direction_deg } => {
-                    let (through, along) =
-                        (pose::ground(self.n, through_m), pose::direction(self.n, direction_deg));
-                    (pose::foot(near, through, along), [T::zero(); 2])
-                }
+                StrutEnd::Spot(spot) => self.of_spot(poses, motion, spot),
+                // On a guide it moves across the spring.
+                StrutEnd::Ground(_) | StrutEnd::Guide { .. } => [T::zero(); 2],
             };
-            let apart = [far[0] - near[0], far[1] - near[1]];
-            let length = dot(apart, apart).root();
+            let apart = self.apart(poses, s).map(|x| x.value);
             let v = self.of_spot(poses, motion, strut.at);
             let longer = dot(apart, [moves[0] - v[0], moves[1] - v[1]]);
             let stiffness =
@@ -159,7 +152,7 @@ impl<T: Real> Account<'_, T> {
     /// How far a point is off a place.
     pub fn off(&self, poses: &Poses<T>, at: Spot, place_m: [Num; 2]) -> Jet<T> {
         let [x, y] = self.to_place(poses, at, place_m);
-        (x * x + y * y).root()
+        (x * x + y * y).square_root()
     }
 
     /// 1 where the angle of a body counts counter-clockwise, else -1.
@@ -313,7 +306,7 @@ impl<T: Real> Account<'_, T> {
         while solved.last().is_none_or(|s| s.ends.1.below(way)) {
             let (at, square) = solved.last().map_or((T::zero(), from), |s| (s.ends.1, s.squares.1));
             let mut next = self.meets.iter().filter(|x| at.below(**x)).fold(at + T::of(8.0 * STEP), least);
-            let stretch = (0..=gauss::halvings()).find_map(|_| {
+            let stretch = (0..=gauss::HALVINGS).find_map(|_| {
                 let stretch = self.collocate((at, next), square).transpose();
                 next = (at + next).scale2(-1);
                 stretch

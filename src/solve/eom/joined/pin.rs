@@ -144,9 +144,7 @@ impl<T: Real> Motion<'_, '_, T> {
         let events = [(Event::Level, 0.5 * far), (Event::Fall(0.0), far)];
         let (states, count) = self.run(&events, far, &|| pendulum.period().0.f64(), rung)?;
         let [lowest, turned] = states[..] else { return Ok(()) };
-        teller.count.evaluations += count.evaluations;
-        teller.count.steps += count.steps;
-        teller.count.refused += count.refused;
+        teller.count += count;
         teller.replace(Quantity::Period, T::of(2.0 * turned.time));
         teller.replace(Quantity::OmegaMax, T::of(lowest.u));
         Ok(())
