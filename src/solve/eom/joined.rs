@@ -247,7 +247,7 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
         // What strikes straight at a joint moves nothing.
         let most = teller.blows() * mechanism.size() / mechanism.inertia(&state).size();
         spin = spin.balance(mechanism.leading(&jumps).0.cleared(most));
-        teller.tell_blow(&jumps);
+        teller.tell_blow(&state, &jumps);
     }
     let free = mechanism.respond(&state, &nothing)?;
     let (a, b) = mechanism.leading(&free);

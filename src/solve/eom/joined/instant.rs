@@ -11,7 +11,7 @@ pub fn at_once<T: Real>(teller: &mut Teller<T>, spin: T, nothing: &[f64]) -> Res
     let state = mechanism.state(T::zero(), !spin.is_zero() || teller.pinned.is_some())?;
     if scene.is_struck() {
         let jumps = mechanism.struck(&state)?;
-        teller.tell_blow(&jumps);
+        teller.tell_blow(&state, &jumps);
         teller.tell_motion(&mechanism.after(state, spin, &jumps), T::of(1.0), None);
         return Ok(());
     }

@@ -212,7 +212,7 @@ impl<T: Real> Teller<'_, '_, T> {
     }
 
     /// The impulses of the joints at a blow. One that can only push and would have to pull lets go, and the other way round.
-    pub fn tell_blow(&mut self, jumps: &Response<T>) {
+    pub fn tell_blow(&mut self, state: &State<T>, jumps: &Response<T>) {
         let all = self.blows() + self.mechanism.gained(jumps);
         for (j, joint) in self.scene.joints.iter().enumerate() {
             let (of, quantities) = (Owner::Joint(j), joint.kind.impulses());
@@ -221,8 +221,9 @@ impl<T: Real> Teller<'_, '_, T> {
                 continue;
             };
             for (quantity, impulse) in quantities.iter().zip(&impulses) {
-                let impulse = plant!("eom: impulse of a joint", *impulse);
-                self.say_scaled(*quantity, of, impulse, impulse.size() + all);
+                let impulse = plant!("eom: impulse of a joint", *impulse).cleared(impulse.size() + all);
+                let terms = self.mechanism.meets_at(state, jumps, j).unwrap_or(all);
+                self.say_scaled(*quantity, of, impulse, beside(impulse.size() + terms, all));
             }
             if joint.kind.is_one_sided() && impulses[0].below(T::of(-PUSHES * all)) {
                 let [pull, all] =
