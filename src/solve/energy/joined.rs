@@ -818,6 +818,17 @@ impl<'a, T: Real> Account<'a, T> {
             self.say(road, Quantity::T, Owner::Scene, time);
         }
         self.say(road, Quantity::Phi, Owner::Body(self.lead), open(self.layout.turned(way)));
+        if let Some(lead) = scene.ends_at_an_angle() {
+            let degrees = |way: T| way * T::constant(Dd::new(180.0) / Dd::PI);
+            let start = scene.planar(lead).and_then(|p| p.start_deg).map_or_else(T::zero, |x| self.n.get(x));
+            let reached = plant!("energy: angle at the end", start.balance(degrees(way).signed(self.sense)));
+            self.say(
+                road,
+                Quantity::Angle,
+                Owner::Body(lead),
+                open(reached * T::constant(Dd::PI / Dd::new(180.0))),
+            );
+        }
         let poses = self.at(&place)?;
         let places = self.between(from.0, &poses, &place);
         for (b, body) in scene.bodies.iter().enumerate() {

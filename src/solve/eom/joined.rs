@@ -1020,6 +1020,13 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             teller.say(Quantity::T, Owner::Scene, time);
         }
         teller.say(Quantity::Phi, Owner::Body(self.mechanism.lead), self.mechanism.turned(stop.way));
+        if let Some(lead) = scene.ends_at_an_angle() {
+            let start = scene.planar(lead).and_then(|planar| planar.start_deg);
+            let start =
+                start.map_or_else(T::zero, |start| self.mechanism.n.get(start) * trig::radians_per_degree());
+            let reached = start.balance(plant!("eom: angle at the end", stop.way.signed(self.sense)));
+            teller.say_scaled(Quantity::Angle, Owner::Body(lead), reached, start.size() + stop.way.size());
+        }
         let (mut state, mut response) = self.at(stop.way)?;
         if teller.pinned.is_some() {
             let place = self.place(stop.way, rest, by.is_none());

@@ -61,6 +61,7 @@ fn driven<T: Real>(teller: &mut Teller<T>, alpha: T, spin: T) -> Result<(), Refu
     let (response, moment) = driven(&rubs)?;
     let size = moment.size() + teller.pulls() * mechanism.size();
     teller.say_scaled(Quantity::Drive, Owner::Body(mechanism.lead), moment, size);
+    teller.tell_powers(&state, spin, Some(moment));
     teller.watch(&response, spin.square());
     let lead = mechanism.leading(&response);
     teller.tell(&state, &response, (spin, lead), &rubs)

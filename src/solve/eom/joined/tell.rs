@@ -4,6 +4,7 @@ use crate::num::plant::plant;
 use crate::num::{Dd, Real, gauss, root, trig};
 use crate::scene::pose::Obstacle;
 use crate::scene::{Acts, JointKind, Label, Owner, Quantity, Spot, pose};
+use crate::solve::eom::couple_on;
 use crate::solve::eom::joined::{BESIDE, Fine, Gain, Motion, PUSHES, SHORT, SHORTEST, Teller, look};
 use crate::solve::eom::planar::{LOOKED_THROUGH, Response, State};
 use crate::solve::outcome::{Course, Held, Refusal, Said};
@@ -306,9 +307,26 @@ impl<T: Real> Teller<'_, '_, T> {
         let terms = if self.pinned.is_some() { self.terms(state) } else { all };
         self.tell_motion(state, rate, Some((response, self.pulls(), terms)));
         self.tell_spin(state, rate);
+        self.tell_powers(state, rate, None);
         self.tell_whole(state);
         self.tell_forces(state, response, square, sliding);
         Ok(())
+    }
+
+    /// The powers of couples at this rate, with the couple that drives the leading body.
+    pub fn tell_powers(&mut self, state: &State<T>, rate: T, drive: Option<T>) {
+        for body in 0..self.scene.bodies.len() {
+            let drives = drive.filter(|_| body == self.mechanism.lead);
+            // Of a driven body they are told together.
+            let waits = drive.is_none()
+                && self.scene.bodies[body].planar.as_ref().is_some_and(|p| p.driven.is_some());
+            let own = couple_on(self.scene, self.n, body);
+            if let Some(moment) = own.into_iter().chain(drives).reduce(T::balance).filter(|_| !waits) {
+                let turn = if self.pinned.is_some() { rate } else { self.mechanism.spin(state, body) * rate };
+                let fastest = moment.size() * f64::max(turn.size(), rate.size());
+                self.say_scaled(Quantity::PowerCouple, Owner::Body(body), moment * turn, fastest);
+            }
+        }
     }
 
     /// Of bodies that a pin holds and that are welded into one: mass centre, and moments of inertia by the theorem of parallel axes.
