@@ -219,12 +219,18 @@ pub fn road_by<T: Real>(
     asked: Scope,
     by: Option<Steps>,
 ) -> Result<(Road<T>, Count), Refusal> {
-    let mechanism = Mechanism::new(scene, n)?;
-    let (count, road) = (Count::default(), Road::new(asked));
+    let mut mechanism = Mechanism::new(scene, n)?;
     let pinned = scene.pinned().map(|(body, _)| body);
-    let mut teller = Teller { scene, n, mechanism: &mechanism, asked, by, pinned, count, road };
-    follow(&mut teller)?;
-    Ok((teller.road, teller.count))
+    loop {
+        let (count, road) = (Count::default(), Road::new(asked));
+        let mut teller =
+            Teller { scene, n, mechanism: &mechanism, asked, by, pinned, count, road, goes_on: false };
+        follow(&mut teller)?;
+        let Teller { count, road, goes_on, .. } = teller;
+        if !goes_on || !mechanism.looks_farther() {
+            return Ok((road, count));
+        }
+    }
 }
 
 /// Follows the bodies to the instant or the end that is asked, and tells what is there.
@@ -940,6 +946,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             } else {
                 if stop.why == Why::Far {
                     overrun()?;
+                    teller.goes_on = true;
                 }
                 (stop.why, stop.time) = (Why::Rest, None);
             }
@@ -953,6 +960,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 End::Time(..) => stop.why == Why::Far && stop.time.is_some(),
                 _ => false,
             };
+        teller.goes_on |=
+            !reached && !backward && stop.why == Why::Far && !matches!(scene.end, End::Time(..));
         let farthest = self.farthest(teller, &stop, reached, most);
         teller.road.course = course(farthest, stop.slowest, reached);
         self.tell_touching(teller, &stop, least);
@@ -1070,4 +1079,6 @@ struct Teller<'t, 'a, T: Real> {
     pinned: Option<usize>,
     count: Count,
     road: Road<T>,
+    /// Does it go on where it was looked for the end no farther?
+    goes_on: bool,
 }

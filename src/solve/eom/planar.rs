@@ -1044,6 +1044,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
     pub fn in_line(&self, way: T) -> Option<Obstacle> {
         if LOOKED_THROUGH { self.layout.in_line(way) } else { None }
     }
+    /// [`Layout::looks_farther`].
+    pub fn looks_farther(&mut self) -> bool {
+        self.layout.looks_farther()
+    }
     /// [`Layout::horizon`].
     pub fn horizon(&self) -> T {
         self.layout.horizon()
