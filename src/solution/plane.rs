@@ -2133,7 +2133,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 let drive = self.driver.filter(|_| b == self.lead).map(Expr::from);
                 let moment = self.couple(b, drive);
                 let turns = self.symbols.value(turn) != 0.0;
-                let is = if turns { moment.by(&in_sense(turn.into(), sense)) } else { ZERO };
+                let is = if turns { moment.by(in_sense(turn.into(), sense)) } else { ZERO };
                 (letters([r"\dot{W}_{M}", r"\dot{A}_{M}"], &self.bodies[b].tag), is)
             }
             (Q::Moment, Owner::Strut(s)) => {
