@@ -95,7 +95,7 @@ const fn why(quantity: Quantity) -> &'static str {
         Q::RimForce => "it needs a tie `meshes`, `belt` or `rests`",
         Q::CordTravel => "it needs a cord that is pulled or held by a spring",
         Q::WorkPull | Q::PowerPull => "it needs a cord with `pulled with`",
-        Q::WorkCouple | Q::PowerCouple => "it needs a couple under `forces`",
+        Q::WorkCouple | Q::PowerCouple => "it needs a couple under `forces`, the power also a driven body in the plane",
         Q::KBound => "it needs one wheel with a radius of gyration that rolls and is pulled",
         Q::XEq => "it needs a spring",
         Q::VMax | Q::DAtVMax | Q::DTurn => "it needs an end of a body on a line, and a spring or a speed at the start",
@@ -112,6 +112,7 @@ const fn why(quantity: Quantity) -> &'static str {
         Q::VX | Q::VY | Q::AX | Q::AY => "it needs a body that moves in the plane",
         Q::T | Q::RotationalFraction | Q::KineticEnergy => "it needs a motion, the time one without a force that grows with place",
         Q::Direction => "it needs a motion, and cords that leave one body to the right and the other to the left: `leaves: forward` on a slope, `leaves: back` on the table beyond its pulley",
+        Q::Angle => "it needs a body in the plane that leads the others by the angle told at the start, and an end at a time, a speed, a turning point or a contact lost",
         Q::Value => "it needs a question with `value:`",
     }
 }
@@ -153,10 +154,12 @@ fn of_kind(scene: &Scene) -> Vec<Label> {
     all.0
 }
 
-/// The labels of what couples do.
-fn couples(scene: &Scene, all: &mut Gathered) {
-    for couple in &scene.couples {
-        all.add(true, Owner::Body(couple.body), &[Quantity::WorkCouple, Quantity::PowerCouple]);
+/// The labels of what couples do: their work on lines, on axles and about a pin, their power at an instant, too.
+fn couples(scene: &Scene, work: bool, all: &mut Gathered) {
+    let driven = scene.driven().and(scene.lead());
+    for body in scene.couples.iter().map(|couple| couple.body).chain(driven) {
+        all.add(work, Owner::Body(body), &[Quantity::WorkCouple]);
+        all.add(true, Owner::Body(body), &[Quantity::PowerCouple]);
     }
 }
 
@@ -167,11 +170,10 @@ fn pinned(scene: &Scene, body: usize, all: &mut Gathered) {
     all.add(true, Owner::Scene, &[Q::RotationalFraction]);
     all.add(true, of, &[Q::Omega, Q::V, Q::Alpha, Q::IO, Q::AngularMomentum]);
     all.add(true, of, &[Q::PinRadial, Q::PinTangential, Q::PinForce, Q::PinX, Q::PinY, Q::PinAngle]);
-    if moves {
-        couples(scene, all);
-    }
+    couples(scene, moves, all);
     all.add(moves, Owner::Scene, &[Q::T]);
     all.add(moves, of, &[Q::Phi, Q::Rise]);
+    all.add(scene.ends_at_an_angle().is_some(), of, &[Q::Angle]);
     all.add(scene.is_pendulum(), of, &[Q::OmegaMax, Q::Period, Q::PeriodSmall, Q::OmegaSmall]);
     all.add(!scene.struts.is_empty(), of, &[Q::SpringForce]);
 }
@@ -203,11 +205,10 @@ fn on_lines(scene: &Scene, all: &mut Gathered) {
     all.add(moves && !scene.grows_with_place(), Owner::Scene, &[Q::T]);
     all.add(moves && !scene.is_sprung() && !phases, Owner::Scene, &[Q::Work]);
     all.add(scene.coordinates().next().is_some(), Owner::Scene, &[Q::RotationalFraction]);
+    couples(scene, moves, all);
+    scene.pulls().for_each(|(tie, ..)| all.add(true, Owner::Tie(tie), &[Q::PowerPull]));
     if !rates {
         return;
-    }
-    if moves {
-        couples(scene, all);
     }
     let end = scene.ending_coordinate();
     let changes = scene.growths.is_empty() && (scene.is_sprung() || !scene.start.is_empty());
@@ -241,7 +242,7 @@ fn on_lines(scene: &Scene, all: &mut Gathered) {
                 match c.to {
                     Far::Pull(_) => {
                         all.add(moves && tie.tilted().is_none(), of, &[Q::CordTravel]);
-                        all.add(moves, of, &[Q::WorkPull, Q::PowerPull]);
+                        all.add(moves, of, &[Q::WorkPull]);
                     }
                     Far::Spring { .. } => {
                         all.add(true, of, &[Q::Tension]);
@@ -294,9 +295,13 @@ fn joined(scene: &Scene, all: &mut Gathered) {
     all.add(forces && !still && scene.only_pin().is_some(), Owner::Scene, &[Q::IO, Q::IG, Q::XG, Q::YG]);
     if let Some(lead) = scene.lead() {
         all.add(moves, Owner::Body(lead), &[Q::Phi]);
+        all.add(scene.ends_at_an_angle().is_some(), Owner::Body(lead), &[Q::Angle]);
     }
     for (b, body) in scene.bodies.iter().enumerate() {
         all.add(body.turns && !still, Owner::Body(b), &[Q::AngularMomentum]);
+    }
+    if forces && !still {
+        couples(scene, false, all);
     }
     for (j, joint) in scene.joints.iter().enumerate() {
         let of = Owner::Joint(j);

@@ -27,11 +27,32 @@ pub fn put_in(mut bank: Node) -> Node {
 /// Puts all scenes of the tree of a bank into the words in which they are read.
 pub fn put(bank: &mut Node) {
     for (_, problem) in fields(bank.field_mut("problems")) {
+        let written = problem.field("scene").cloned();
         let own = problem.field_mut("scene").into_iter();
         own.for_each(scene);
         for list in ["cases", "mistakes"] {
             let entries = fields(problem.field_mut(list)).iter_mut();
-            entries.filter_map(|(_, entry)| entry.field_mut("scene")).for_each(scene);
+            for changed in entries.filter_map(|(_, entry)| entry.field_mut("scene")) {
+                if let Some(whole) = written.as_ref().filter(|_| list == "mistakes") {
+                    turn_from_changed_start(changed, whole);
+                }
+                scene(changed);
+            }
+        }
+    }
+}
+
+/// What changes the start of a motion, or its turn, and not both, turns so far from the start that it then has.
+fn turn_from_changed_start(changes: &mut Node, whole: &Node) {
+    let told = ["start", "end"].map(|field| changes.field(field).is_some());
+    let Some(mut whole) = whole.overlaid(changes).filter(|_| told[0] || told[1]) else { return };
+    if whole.field("end").is_some_and(|end| end.field("turn").is_some()) {
+        turn_from_start(&mut whole);
+        if let Some(end) = whole.field("end").cloned() {
+            match changes.field_mut("end") {
+                Some(own) => *own = end,
+                None => add(changes, "end", end.value),
+            }
         }
     }
 }
@@ -262,6 +283,19 @@ fn about_pins(scene: &mut Node) {
             }
         }
     }
+}
+
+/// What an inertia that [`about_pins`] has put about the mass centre needs of that about the pin, for messages.
+#[cfg(feature = "program")]
+pub fn about_pin_needs(text: &str) -> Option<&'static str> {
+    let (about, arm) = text.split_once(" - ")?;
+    if about.starts_with("sqrt((") && about.ends_with(")^2") && arm.ends_with(")^2)") {
+        return Some(
+            "the radius of gyration about the pin must not be below the distance from the pin to the mass centre",
+        );
+    }
+    let moment = about.starts_with('(') && arm.contains(")*(") && arm.ends_with(")^2");
+    moment.then_some("the moment of inertia about the pin must not be below the mass times the square of the distance from the pin to the mass centre")
 }
 
 /// How far the pin of a body is from its mass centre, along its axis.

@@ -6,6 +6,7 @@ use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
 pub use crate::num::shown::significant as rounded;
 use crate::problem::rule::inadmissible;
+use crate::scene::admissible::TURNS;
 use crate::scene::given;
 use crate::scene::pose::{Choice, Gap, Layout, Obstacle};
 use crate::scene::{
@@ -157,12 +158,12 @@ fn reaches(scene: &Scene, c: &Check) -> String {
             }
         }
         (true, true) if !endless || pinned => "comes_to_rest",
-        (false, true) if pinned => "not_in_two_turns",
+        (false, true) if pinned => "not_in_turns",
         (false, true) if endless => "never_at_rest",
         (true, _) if endless && pinned => "well_beyond",
         (true, _) if endless => "without_end",
         (true, _) => "as_far_as",
-        (false, _) if endless && pinned && c.required >= 0.0 => "two_turns",
+        (false, _) if endless && pinned && c.required >= 0.0 => "turns_at_most",
         (false, _) if !scene.growths.is_empty() && scene.heading.is_none() && c.required >= 0.0 => {
             "turns_before"
         }
@@ -180,8 +181,9 @@ fn reaches(scene: &Scene, c: &Check) -> String {
         true => "then.next",
         false => "then.grows",
     };
-    let pieces: [(&str, &dyn Display); 6] = [
+    let pieces: [(&str, &dyn Display); 7] = [
         ("joint", &joint),
+        ("turns", &TURNS),
         ("required", &figures(c.required)),
         ("available", &figures(c.available)),
         ("way", &figures(-c.required)),

@@ -243,7 +243,7 @@ pub fn word_signs(scene: &Scene, label: Label) -> Option<WordSigns> {
         (Q::PinAngle, _) => WordSigns { up: 1, counter_clockwise: 1, ..nothing },
         (Q::PinTangential, _) => forward,
         (Q::Moment, Some(_)) => WordSigns { counter_clockwise: 1, ..nothing },
-        (Q::Alpha | Q::Moment | Q::Drive, _) => {
+        (Q::Alpha | Q::Moment | Q::Drive | Q::Angle, _) => {
             WordSigns { counter_clockwise: of.map_or(0, |b| turn(scene, b)), ..nothing }
         }
         _ => nothing,

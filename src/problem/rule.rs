@@ -1,5 +1,5 @@
 //! The rules of a draw, how often each refused and what came out instead, in words.
-use crate::bank::{Bound, Problem, measure, need};
+use crate::bank::{Bound, Problem, measure, need, synonyms};
 use crate::num::shown;
 use crate::scene::admissible::Inadmissible;
 use crate::scene::{End, Num, Scene, Tie, admissible};
@@ -348,7 +348,23 @@ pub fn inadmissible(problem: &Problem, scene: &Scene, fault: &Inadmissible) -> S
     use admissible::Rule as R;
     let (name, value) = (symbol(problem, scene, fault.datum), fault.value);
     // A constant tells its value itself.
-    let told = if matches!(fault.datum, Num::Fixed(_)) { name.clone() } else { format!("{name} = {value}") };
+    let mut told =
+        if matches!(fault.datum, Num::Fixed(_)) { name.clone() } else { format!("{name} = {value}") };
+    if value.is_nan() && !fault.of.is_empty() {
+        told = format!("{name} is no number");
+    }
+    let of = fault.of.iter().filter_map(|(i, x)| problem.data.get(*i).map(|d| (d, d.unit.from_si(*x))));
+    let of: Vec<String> =
+        of.map(|(d, x)| format!("{} = {}", d.symbol, d.unit.text_with(&rounded(x)))).collect();
+    if !of.is_empty() {
+        told = format!("{told} with {}", of.join(", "));
+    }
+    if let Num::Derived(i) = fault.datum
+        && let Some(needs) =
+            scene.formulas.numbers.get(i).and_then(|written| synonyms::about_pin_needs(&written.text))
+    {
+        return format!("{told}: {needs}");
+    }
     match fault.rule {
         R::Finite => format!("{told}: must be a finite number"),
         R::Positive => format!("{told}: must be above 0"),

@@ -47,7 +47,7 @@ pub const LEAST: f64 = 1e-150;
 pub const MOST: f64 = 1e150;
 
 /// One datum that is no part of a scene.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Inadmissible {
     /// Which.
     pub datum: Num,
@@ -55,6 +55,8 @@ pub struct Inadmissible {
     pub value: f64,
     /// The rule that it breaks.
     pub rule: Rule,
+    /// Of an expression the data in it, by index, with their values; for messages, of which a page tells none.
+    pub of: Vec<(usize, f64)>,
 }
 
 /// Every number of the scene with each rule that it keeps, in the order of the scene.
@@ -108,13 +110,27 @@ pub fn fits_rule(value: f64, rule: Rule) -> bool {
     }
 }
 
+/// The data in the expression of a number, each once, with their values.
+fn of_data(scene: &Scene, data: &[f64], datum: Num) -> Vec<(usize, f64)> {
+    let Num::Derived(i) = datum else { return Vec::new() };
+    let names = scene.formulas.numbers.get(i).into_iter().flat_map(|derived| derived.formula.names());
+    let mut of: Vec<(usize, f64)> = Vec::new();
+    for given in names {
+        if of.iter().all(|(known, _)| *known != given.datum) {
+            of.push((given.datum, given.value(data)));
+        }
+    }
+    of
+}
+
 /// The data that are no part of this scene; empty if it can be solved.
 pub fn faults(scene: &Scene, data: &[f64]) -> Vec<Inadmissible> {
     let mut found: Vec<Inadmissible> = Vec::new();
     let mut judge = |datum, rule| {
         let same = |f: &Inadmissible| f.datum == datum && f.rule == rule;
         if !holds(scene, data, datum, rule) && !found.iter().any(same) {
-            found.push(Inadmissible { datum, value: scene.value(datum, data), rule });
+            let of = if cfg!(feature = "program") { of_data(scene, data, datum) } else { Vec::new() };
+            found.push(Inadmissible { datum, value: scene.value(datum, data), rule, of });
         }
     };
     rules(scene, &mut |datum, rule| {

@@ -97,11 +97,12 @@ quantities! {
     Distance "distance" "m" Magnitude "distance that the mass centre moves, there and back, a magnitude";
     ARolling "a_rolling" "m/s^2" Directed "acceleration of the mass centre once it rolls, positive forward";
     Phi "phi" "rad" Magnitude "angle turned, a magnitude; from start to end where a spin turns back";
+    Angle "angle" "rad" Signed "angle of the leading body at the end, counted as at the start";
     Heat "heat" "J" Magnitude "heat of sliding friction";
     WorkPull "work_pull" "J" Signed "work of the pull";
-    PowerPull "power_pull" "W" Signed "power of the pull at the end";
+    PowerPull "power_pull" "W" Signed "power of the pull at the end, or at once";
     WorkCouple "work_couple" "J" Signed "work of the couples on the body";
-    PowerCouple "power_couple" "W" Signed "power of the couples on the body at the end";
+    PowerCouple "power_couple" "W" Signed "power of the couples on the body at the end, or at once, that of its drive among them";
     Work "work" "J" Signed "work of all forces together, from the start to the end";
     Impulse "impulse" "N*s" Signed "impulse of all forces on the body, positive forward; of a joint its impulse at a blow, of a surface the part at right angles to it";
     Moment "moment" "N*m" Signed "couple of a weld on its first body, positive counter-clockwise; of a torsion spring on its body, positive as its angle grows";
@@ -274,6 +275,13 @@ impl Scene {
             _ => q.to_owned(),
         }
     }
+    /// The cords that are pulled: index of the tie, the cord, and the force, N.
+    pub fn pulls(&self) -> impl Iterator<Item = (usize, &Cord, Num)> {
+        self.ties.iter().enumerate().filter_map(|(tie, t)| match t {
+            Tie::Cord(cord @ Cord { to: Far::Pull(force), .. }) => Some((tie, cord, *force)),
+            _ => None,
+        })
+    }
     /// The springs of the scene, in the order of its ties.
     pub fn springs(&self) -> impl Iterator<Item = SpringTie> {
         self.ties.iter().enumerate().filter_map(|(tie, t)| match *t {
@@ -330,6 +338,12 @@ impl Scene {
     pub fn start_angle<T: Real>(&self, n: &Numbers<T>) -> Half<T> {
         let start = self.lead().and_then(|lead| self.planar(lead)?.start_deg);
         Half::of_degrees(start.map_or_else(T::zero, |start| n.get(start)))
+    }
+    /// The body whose angle at the end is told: that which leads, by an angle that the scene tells at the start and not at the end.
+    pub fn ends_at_an_angle(&self) -> Option<usize> {
+        let lead = self.lead()?;
+        let counts = self.planar(lead).is_some_and(|p| p.start_deg.is_some() && !p.unmarked);
+        (counts && !self.is_still() && !matches!(self.end, End::Angle(..))).then_some(lead)
     }
     /// Is an instant asked, or bodies at rest, and no motion?
     pub const fn is_still(&self) -> bool {

@@ -12,6 +12,7 @@ use crate::num::half::Half;
 use crate::num::jet::Followed;
 use crate::num::plant::plant;
 use crate::num::{Dd, Jet, Real, U, root, trig};
+use crate::scene::admissible::TURNS;
 use crate::scene::numbers::BodyNumbers;
 use crate::scene::pose::plan::Planner;
 use crate::scene::{
@@ -295,6 +296,8 @@ pub struct Layout<'a, T: Real> {
     glide: Option<([T; 2], T)>,
     /// How the bodies are placed on the way, one after the other; `None` if the joints do not place all.
     steps: Option<Steps<T>>,
+    /// In how many turns an end is looked for.
+    turns: f64,
 }
 
 /// Bodies and how each is placed.
@@ -620,6 +623,7 @@ impl<'a, T: Real> Layout<'a, T> {
             arc,
             glide: None,
             steps: None,
+            turns: 2.0,
         };
         let tied = |j: &Joint| matches!(j.kind, JointKind::Cord { .. });
         let rolls = |j: &Joint| matches!(j.kind, JointKind::Contact { rolls: true, .. });
@@ -705,9 +709,15 @@ impl<'a, T: Real> Layout<'a, T> {
         let start = self.scene.planar(self.lead).and_then(|planar| planar.start_deg);
         Some(self.n.get(angle) - start.map_or_else(T::zero, |start| self.n.get(start)))
     }
-    /// How far a motion is followed, radians of the leading angle: two turns, or as far as its end.
+    /// Looks for the end of a motion in more turns than at first, in which nearly every one has ended; false if it has done so already.
+    pub fn looks_farther(&mut self) -> bool {
+        let more = self.turns < TURNS;
+        self.turns = TURNS;
+        more
+    }
+    /// How far a motion is followed, radians of the leading angle: two turns and if that is not enough twenty, or as far as its end.
     pub fn horizon(&self) -> T {
-        let turns = T::constant(Dd::PI.scale2(2));
+        let turns = T::constant(Dd::PI.scale2(1) * Dd::new(self.turns));
         self.to_end_deg().map_or(turns, |apart| (apart * trig::radians_per_degree()).abs().larger(turns))
     }
     /// The first way in this sense, looked for up to `far`, on which a torsion spring comes to be wound by half a turn, from where it

@@ -16,7 +16,7 @@ use crate::finding::{Finding, Findings};
 use crate::num::{elliptic, shown};
 use crate::problem::make_key;
 use crate::problem::maker::Variant;
-use crate::scene::{JointKind, Label, Num, Owner, Quantity, Scene, Span, Start};
+use crate::scene::{JointKind, Label, Num, Owner, Quantity, Ray, Scene, Span, Start};
 use crate::sheet::document;
 use crate::template::{self, Templates, View};
 use crate::words::Words;
@@ -434,6 +434,22 @@ fn form(
         Quantity::PinTangential => Some("sheet.with_angle"),
         _ => scene.may_push(q.label).then_some("sheet.pulls"),
     };
+    if let (Quantity::Angle, Owner::Body(b)) = (q.label.quantity, q.label.of)
+        && let Some(planar) = scene.planar(b)
+    {
+        let [zero, sense] = [
+            match planar.from {
+                Ray::Right => "right",
+                Ray::Up => "up",
+                Ray::Left => "left",
+                Ray::Down => "down",
+            },
+            if planar.clockwise { "clockwise" } else { "counter_clockwise" },
+        ];
+        let zero = words.get(&format!("sheet.angle_zero.{zero}"));
+        add(&words
+            .say("sheet.angle_from", &[("sense", words.get(&format!("sheet.{sense}"))), ("zero", zero)]));
+    }
     // The other body feels the opposite.
     let hinge = match q.label.of {
         Owner::Joint(j) => scene.joints.get(j).map(|joint| joint.kind),

@@ -2118,10 +2118,24 @@ impl<'d, 'a> Plane<'d, 'a> {
                 let turned = is.map_or(turned, |is| self.page.find(&[r"\varphi", r"\psi"], "rad", is));
                 return Ok(self.sized(turned));
             }
+            (Q::Angle, _) => {
+                let [_, last] = self.turns[0].at.clone();
+                let is = self.draft.radians(last);
+                ([format!("{}^{{*}}", self.letter), r"\psi^{*}".to_owned()], is)
+            }
             (quantity, Owner::Joint(j)) if quantity != Q::T => {
                 return self.of_joint(quantity, j).ok_or_else(none);
             }
             (Q::Drive, _) => return self.driver.ok_or_else(none),
+            (Q::PowerCouple, Owner::Body(b)) => {
+                let turn = self.get(of_body(Q::Omega, b))?;
+                let sense = self.value(&self.spin(b)) * self.sense;
+                let drive = self.driver.filter(|_| b == self.lead).map(Expr::from);
+                let moment = self.couple(b, drive);
+                let turns = self.symbols.value(turn) != 0.0;
+                let is = if turns { moment.by(in_sense(turn.into(), sense)) } else { ZERO };
+                (letters([r"\dot{W}_{M}", r"\dot{A}_{M}"], &self.bodies[b].tag), is)
+            }
             (Q::Moment, Owner::Strut(s)) => {
                 let moment = *self.springs.get(s).ok_or_else(none)?;
                 let name = format!(r"\mathrm{{t}}{}", one_of(self.scene.struts.len(), s));
@@ -2256,12 +2270,12 @@ impl<'d, 'a> Plane<'d, 'a> {
                 let both = [of(self, Q::PinX)?, of(self, Q::PinY)?];
                 ([r"\psi_O", r"\chi_O"], self.composed(Q::PinAngle, both))
             }
-            Q::RotationalFraction => ([r"\eta", r"eta"], pivot.own.over(about)),
+            Q::RotationalFraction => ([r"\eta", r"\beta"], pivot.own.over(about)),
             Q::AngularMomentum => (["L", r"\Lambda"], about.by(of(self, Q::Omega)?)),
-            Q::WorkCouple => (["W_{M}", "A_{M}"], self.couple().by(self.turned())),
+            Q::WorkCouple => (["W_{M}", "A_{M}"], self.couple(0, None).by(self.turned())),
             Q::PowerCouple => {
                 let rate = in_sense(of(self, Q::Omega)?.into(), self.sense);
-                ([r"\dot{W}_{M}", r"\dot{A}_{M}"], self.couple().by(&rate))
+                ([r"\dot{W}_{M}", r"\dot{A}_{M}"], self.couple(0, None).by(&rate))
             }
             Q::OmegaMax => {
                 let height = signed(cosine(&self.turns[0].at[START]), pivot.up);
@@ -2328,10 +2342,11 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.here = END;
         Some(self.page.find_once(&[["J_x", "S_x"], ["J_y", "S_y"]][i], "N s", is))
     }
-    /// The moment of all couples, positive with a growing angle.
-    fn couple(&mut self) -> Expr {
-        let couples = self.scene.couples.iter();
-        positive_first(couples.map(|c| signed(self.page.number(c.moment_n_m, "M", "N m"), c.forward)))
+    /// The moment of all couples on a body, that of its drive among them, positive with a growing angle.
+    fn couple(&mut self, body: usize, drive: Option<Expr>) -> Expr {
+        let couples = self.scene.couples.iter().filter(|c| c.body == body);
+        let given = couples.map(|c| signed(self.page.number(c.moment_n_m, "M", "N m"), c.forward));
+        positive_first(given.chain(drive))
     }
     /// The force of a joint.
     pub fn of_joint(&mut self, quantity: Quantity, joint: usize) -> Option<SymbolId> {

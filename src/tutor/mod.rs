@@ -461,7 +461,7 @@ const fn group(quantity: Quantity) -> &'static str {
         Q::T => "time",
         Q::Tension => "tension",
         Q::RimForce => "pin",
-        Q::CordTravel | Q::Displacement | Q::Distance | Q::Phi | Q::Rise | Q::DTurn => "way",
+        Q::CordTravel | Q::Displacement | Q::Distance | Q::Phi | Q::Angle | Q::Rise | Q::DTurn => "way",
         Q::SlipDistance | Q::SlipSpeed => "slip",
         Q::Heat | Q::WorkPull | Q::PowerPull | Q::WorkCouple | Q::PowerCouple | Q::Work => "work",
         Q::Impulse | Q::ImpulseX | Q::ImpulseY | Q::FrictionImpulse | Q::AngularMomentum => "momentum",

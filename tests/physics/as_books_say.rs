@@ -1,6 +1,8 @@
 //! What books say in other words is what the language says; and what is welded together, by hand: mass centre and moments of inertia.
 use crate::joined::{all_near, constants, read, told};
 use slipstick::bank::load;
+use slipstick::misconception;
+use slipstick::problem::maker::Maker;
 use slipstick::sheet::public::Writer;
 
 /// The scene that is read of this text.
@@ -58,6 +60,18 @@ end: {{angle: {{of: rod, reaches: 50 deg}}}}
         same(&rod(said), &rod(meant));
     }
     assert!(read(&rod("from left")).is_err(), "which sense is not said");
+    let hint = format!("{:?}", read(&rod("from the moon")).map(|_| ()));
+    for family in [
+        "from right",
+        "from horizontal",
+        "from upright",
+        "from vertical",
+        "from hanging",
+        "from left",
+        "counter-clockwise",
+    ] {
+        assert!(hint.contains(family), "{family}: {hint}");
+    }
     assert!(read(&rod("from the wall")).is_err());
 }
 
@@ -220,4 +234,93 @@ fn the_numbers_of_a_book() {
         "23.9 is above what is written"
     );
     assert_eq!(maker(&text("160 to 161 step 1", "")), (10.0, false));
+}
+
+/// A radius of gyration about the pin that is smaller than the distance of the pin belongs to no body: that is said of the draw, with its data.
+#[test]
+fn a_radius_of_gyration_about_the_pin_is_no_smaller_than_its_distance() {
+    for (inertia, unit, range, is, needs) in [
+        (
+            "radius of gyration about the pin: k",
+            "m",
+            "0.2 to 0.3 step 0.1",
+            "k = 0.",
+            "the radius of gyration about the pin must not be below the distance",
+        ),
+        (
+            "moment of inertia about the pin: k",
+            "kg*m^2",
+            "0.2 to 0.3 step 0.1",
+            "k = 0.",
+            "the moment of inertia about the pin must not be below the mass times",
+        ),
+    ] {
+        let text = format!(
+            "
+bank: b
+title: B
+problems:
+  p:
+    title: P
+    data:
+      m: {{name: mass, unit: kg, draw: 2 to 3 step 1}}
+      k: {{name: inertia, unit: {unit}, draw: {range}}}
+      h: {{name: distance of the pin, unit: mm, draw: 400 to 500 step 100}}
+    scene:
+      bodies: {{rod: {{mass: m, {inertia}, pinned: {{distance: h}}, angle: from hanging}}}}
+      start: {{rod: {{angle: 90 deg}}}}
+      end: {{turn: {{of: rod, by: -30 deg}}}}
+    questions: {{omega: {{unit: rad/s, ask: the spin}}}}
+"
+        );
+        let bank = load::scenes_only(&text, "b.yaml").unwrap_or_else(|found| panic!("{found:?}"));
+        let refused =
+            Maker::new(&bank.problems[0], 1, "b").giving_up_after(5).variant("0").unwrap_err().to_string();
+        assert!(!refused.contains("NaN"), "{refused}");
+        for part in [needs, is, "h = ", "00 mm"] {
+            assert!(refused.contains(part), "{part}: {refused}");
+        }
+    }
+}
+
+/// A wrong method that changes the start alone of a motion that ends after a turn ends so far from its own start; one that changes the
+/// turn turns so far from the right start.
+#[test]
+fn a_wrong_start_turns_as_far_as_the_right_one() {
+    let text = "
+bank: b
+title: B
+problems:
+  p:
+    title: P
+    data:
+      phi: {name: angle at the start, unit: deg, draw: always 90}
+      by:  {name: turn, unit: deg, draw: always 30}
+    scene:
+      bodies: {rod: {mass: 2 kg, shape: {rod: 1.5 m}, pinned: at its end, angle: from hanging}}
+      start: {rod: {angle: phi}}
+      end: {turn: {of: rod, by: -by}}
+    mistakes:
+      start: {scene: {start: {rod: {angle: 60 deg}}}}
+      turn:  {scene: {end: {turn: {of: rod, by: -50 deg}}}}
+      both:  {scene: {start: {rod: {angle: 80 deg}}, end: {turn: {of: rod, by: -20 deg}}}}
+    questions: {omega: {unit: rad/s, ask: the spin}}
+";
+    let bank = load::scenes_only(text, "b.yaml").unwrap_or_else(|found| panic!("{found:?}"));
+    let problem = &bank.problems[0];
+    let variant = Maker::new(problem, 1, "b").variant("0").unwrap_or_else(|e| panic!("{e}"));
+    // I w^2 / 2 = m g L/2 (cos - cos)
+    let spin =
+        |from: f64, to: f64| (3.0 * 9.81 / 1.5 * (to.to_radians().cos() - from.to_radians().cos())).sqrt();
+    let label = problem.questions[0].label;
+    all_near(&[variant.solved.get(label).unwrap().value()], &[spin(90.0, 60.0)], 1e-13);
+    let wrong = misconception::values(problem, 0, &variant.data, &variant.solved, &[label]);
+    let of = |id: &str| {
+        wrong.iter().find(|w| problem.mistakes[w.mistake].id == id).unwrap_or_else(|| panic!("{id}")).value
+    };
+    all_near(
+        &["start", "turn", "both"].map(of),
+        &[spin(60.0, 30.0), spin(90.0, 40.0), spin(80.0, 60.0)],
+        1e-13,
+    );
 }

@@ -88,7 +88,15 @@ fn judge(s: composed::Scene) -> Result<Outcome, String> {
     let alone = resting && !solved.entries.iter().any(rates);
     let told = match verdict {
         Verdict::Told(mut told) if alone => {
-            let speeds = ["v", "omega", "kinetic_energy", "angular_momentum", "rotational_fraction"];
+            let speeds = [
+                "v",
+                "omega",
+                "kinetic_energy",
+                "angular_momentum",
+                "rotational_fraction",
+                "power_pull",
+                "power_couple",
+            ];
             told.values.retain(|v| speeds.contains(&v.0));
             told
         }

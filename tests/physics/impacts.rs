@@ -1,5 +1,9 @@
 //! Impacts of bodies that move, what joined bodies are together, and turns without end, against formulas by hand and printed results.
 use crate::joined::{all_near, constants, read, told};
+use slipstick::bank::load;
+use slipstick::grade::{compare::compare, verdict::Verdict};
+use slipstick::key::Answer;
+use slipstick::problem::{make_key::key, maker::Maker};
 use slipstick::solve::agree;
 use slipstick::solve::outcome::{CheckKind, Refusal};
 
@@ -229,4 +233,58 @@ end: {{angle: {{of: arm, reaches: {reaches} deg}}}}
     let stopped = agree::solve(&constants(&scene(11.0, 950)).problems[0].cases[0].scene, &[G]).unwrap();
     let failed: Vec<CheckKind> = stopped.checks.iter().filter(|c| !c.ok).map(|c| c.kind).collect();
     assert_eq!(failed, [CheckKind::Reaches]);
+}
+
+/// A heavy bullet strikes a light rod near its centre of percussion: the impulse of the pin is small beside what the bullet brings, but
+/// not beside what the rod and the bullet gain, and that alone is what it may be off by beside its own share.
+#[test]
+fn the_impulse_of_a_pin_is_judged_by_what_adds_up_to_it() {
+    let (m, big, v, l, h): (f64, f64, f64, f64, f64) = (4.0, 100.0, 300.0, 1.2, 0.85);
+    let text = format!(
+        "
+bank: b
+title: B
+problems:
+  p:
+    title: P
+    data: {{v: {{name: speed, unit: m/s, draw: always {v}}}}}
+    scene:
+      bodies:
+        rod:    {{mass: {m} kg, shape: {{rod: {l} m}}, moves: in the plane, angle: from hanging, points: {{O: 0 m, B: {h} m}}}}
+        bullet: {{mass: {big} kg, moves: in the plane}}
+      joints:
+        O: {{pins: rod.O}}
+        B: {{welds: [rod.B, bullet]}}
+      start: {{rod: {{angle: 0 deg}}, bullet: {{arrives: {{speed: v, direction: right}}}}}}
+      end: at once
+    questions:
+      pin:  {{quantity: O.impulse_x, unit: N*s, ask: the impulse of the pin}}
+      weld: {{quantity: B.impulse_x, unit: N*s, ask: the impulse between rod and bullet}}
+"
+    );
+    let bank = load::scenes_only(&text, "b.yaml").unwrap_or_else(|found| panic!("{found:?}"));
+    let problem = &bank.problems[0];
+    let variant = Maker::new(problem, 1, "pin").variant("0").unwrap_or_else(|e| panic!("{e}"));
+    let key = key(problem, &variant);
+    // About O: (m L^2/3 + M h^2) w = M v h.
+    let w = big * v * h / (m * l * l / 3.0 + big * h * h);
+    let bullet = big * (v - w * h);
+    let rod = m * w * l / 2.0;
+    for (part, by_hand, terms) in
+        [(&key.parts[0], rod - bullet, rod + 2.0 * bullet), (&key.parts[1], bullet, 2.0 * bullet)]
+    {
+        let Answer::Number { value, half_width, .. } = part.answer else { panic!("a number is asked") };
+        assert!((value.abs() - by_hand.abs()).abs() < 1e-10 * terms, "{value} {by_hand}");
+        assert!(
+            half_width <= f64::max(0.01 * value.abs(), 1.1e-3 * (terms + value.abs())),
+            "{half_width} of {value}"
+        );
+        for (share, verdict) in [(1.0, Verdict::Right), (1.33, Verdict::Wrong), (0.67, Verdict::Wrong)] {
+            assert_eq!(
+                compare(&format!("{} N*s", share * value), part).verdict,
+                verdict,
+                "{share} of {value}"
+            );
+        }
+    }
 }

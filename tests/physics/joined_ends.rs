@@ -197,3 +197,71 @@ end: {{angle: {{of: b, reaches: 200 deg}}}}
         assert!(drawn.err().is_none_or(|none| none.to_string().contains("pressed")));
     }
 }
+
+/// Ends at a time, at a speed and at rest lie after more than two turns as well: of an arm under a couple alone by hand, of a rod that
+/// goes over the top, and of one that meets a buffer in every turn, in small steps.
+#[test]
+fn ends_after_several_turns() {
+    let arm = |sense: &str, spin: f64, end: &str| {
+        format!(
+            "
+bodies: {{arm: {{mass: 3 kg, shape: {{rod: 2 m}}, moves: in a horizontal plane, angle: from right}}}}
+joints: {{O: {{pins: arm.A}}}}
+forces: [couple: {{on: arm, moment: 2 N*m, sense: {sense}}}]
+start: {{arm: {{angle: 10 deg, spin: {spin} rad/s}}}}
+end: {end}
+"
+        )
+    };
+    let first = 10.0_f64.to_radians();
+    // I = 4 kg m^2, so its angular acceleration is 0.5 rad/s^2.
+    let by_hand = [
+        (arm("forward", 0.0, "{time: {of: arm, is: 10 s}}"), 25.0, 5.0, 10.0),
+        (arm("forward", 3.0, "{speed: {of: arm, reaches: 7 rad/s}}"), 40.0, 7.0, 8.0),
+        (arm("back", 8.0, "{turning point: arm}"), 64.0, 0.0, 16.0),
+        (arm("back", 8.0, "{time: {of: arm, is: 12 s}}"), 60.0, 2.0, 12.0),
+    ];
+    for (scene, turned, spin, time) in by_hand {
+        let found = told(&scene, &["arm.phi", "arm.angle", "arm.omega", "t"]);
+        all_near(&found, &[turned, first + turned, spin, time], 1e-12);
+    }
+    // A rod on a pin, alone and with a buffer above its axle that its end meets in every turn.
+    let (g, mass, long, start, seconds, stiffness, natural) =
+        (9.81, 2.0, 1.2, 20.0_f64.to_radians(), 4.0, 90.0, 0.9);
+    for (bodies, forces, buffer) in [
+        ("rod: {mass: 2 kg, shape: {rod: 1.2 m}, pinned: at its end, angle: from hanging}", "", false),
+        (
+            "rod: {mass: 2 kg, shape: {rod: 1.2 m}, moves: in the plane, angle: from hanging}",
+            "joints: {O: {pins: rod.A}}\nforces: [spring: {on: rod.B, to: [0 m, 1.9 m], stiffness: 90 N/m, natural length: 0.9 m, only: pushes}]\n",
+            true,
+        ),
+    ] {
+        let scene = format!(
+            "\nbodies: {{{bodies}}}\n{forces}start: {{rod: {{angle: 20 deg, spin: 14 rad/s}}}}\nend: {{time: {{of: rod, is: {seconds} s}}}}\n"
+        );
+        let moment = |angle: f64| {
+            let (x, y) = (long * angle.sin(), -long * angle.cos());
+            let (dx, dy) = (x, y - 1.9);
+            let apart = dx.hypot(dy);
+            let push = if buffer && apart < natural { stiffness * (natural - apart) } else { 0.0 };
+            let (fx, fy) = (push * dx / apart, push * dy / apart);
+            -mass * g * long / 2.0 * angle.sin() + x * fy - y * fx
+        };
+        let law = |[angle, _]: [f64; 2], rate: f64| [rate, moment(angle) / (mass * long * long / 3.0)];
+        let steps = 400_000;
+        let h = seconds / f64::from(steps);
+        let mut state = [start, 14.0];
+        for _ in 0..steps {
+            let step = |k: [f64; 2], by: f64| [state[0] + by * k[0], state[1] + by * k[1]];
+            let of = |s: [f64; 2]| law(s, s[1]);
+            let a = of(state);
+            let b = of(step(a, h / 2.0));
+            let c = of(step(b, h / 2.0));
+            let d = of(step(c, h));
+            state = [0, 1].map(|i| state[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]));
+        }
+        assert!(state[0] > 6.0 * std::f64::consts::PI, "{state:?}");
+        let names = if buffer { ["rod.angle", "rod.omega"] } else { ["angle", "omega"] };
+        all_near(&told(&scene, &names), &state, 1e-8);
+    }
+}

@@ -938,12 +938,26 @@ fn compare(m: &Machine, solved: &Solved, end: &End) -> Result<(), String> {
             {
                 ((q[3 * b + 2] - m.start[3 * b + 2]).abs(), 1.0)
             }
+            // Whole turns more or less are told by the angle turned.
+            ("angle", Owner::Body(_)) => {
+                let turned = (judge.leading(q, v).0 - judge.leading(&m.start, v).0) * m.bodies[m.lead].sense;
+                (m.angle.to_radians() + turned, 1.0)
+            }
             ("phi", Owner::Body(_)) => ((judge.leading(q, v).0 - judge.leading(&m.start, v).0).abs(), 1.0),
             ("rise", Owner::Body(b)) => (q[3 * b + 1] - m.start[3 * b + 1], 1.0),
             ("omega_small", _) => (end.frequency, end.frequency),
             ("period_small", _) => {
                 let period = 2.0 * std::f64::consts::PI / end.frequency;
                 (period, period)
+            }
+            ("power_couple", Owner::Body(b)) => {
+                let couples = m.loads.iter().filter_map(|load| match load {
+                    Load::Couple(body, moment) if *body == b => Some(*moment),
+                    _ => None,
+                });
+                let drive = if m.alpha.is_some() && b == m.lead { forces[forces.len() - 1] } else { 0.0 };
+                let moment = couples.sum::<f64>() + drive;
+                (moment * v[3 * b + 2], (pulls + moment.abs()) * fastest)
             }
             ("drive", _) => (forces[forces.len() - 1] * m.bodies[m.lead].sense, pulls),
             ("moment", Owner::Joint(j)) => (forces[first[j] + 2], pulls),

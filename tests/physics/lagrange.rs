@@ -870,6 +870,32 @@ impl<'s> System<'s> {
         (pins, open)
     }
 
+    /// The powers of pulls and couples at these velocities.
+    fn powers(&self, s: &Scene, v: &[f64]) -> Vec<(&'static str, Owner, f64, f64)> {
+        let mut powers = Vec::new();
+        for body in 0..self.frames.len() {
+            let turn = inner(&self.moving(body, true), v);
+            let on = s.couples.iter().filter(|c| c.0 == body);
+            let each: Vec<f64> =
+                on.map(|(_, m, forward)| if *forward { m.si * turn } else { -m.si * turn }).collect();
+            if !each.is_empty() {
+                let size = each.iter().map(|power| power.abs()).sum();
+                powers.push(("power_couple", Owner::Body(body), each.iter().sum(), size));
+            }
+        }
+        for (t, tie) in s.ties.iter().enumerate() {
+            if let Tie::Cord { from, far: Far::Pulled(p) } = tie {
+                let (point, along) = leaves(s, &self.frames, from);
+                let mut row = vec![0.0; self.cols()];
+                (row[3 * from.body], row[3 * from.body + 1]) = along;
+                row[3 * from.body + 2] = dot(quarter(point), along);
+                let size: f64 = row.iter().zip(v).map(|(x, v)| (x * v).abs()).sum();
+                powers.push(("power_pull", Owner::Tie(t), p.si * inner(&row, v), p.si * size));
+            }
+        }
+        powers
+    }
+
     /// The account of these velocities.
     fn velocities(&self, v0: &[f64]) -> Vec<(&'static str, Owner, f64, f64)> {
         let mut values = Vec::new();
@@ -1278,6 +1304,11 @@ impl<'s> System<'s> {
                 say(name, of, value, if name == "rotational_fraction" { 1.0 } else { value + speeds });
             }
         }
+        if at_once {
+            for (name, of, value, size) in self.powers(s, &v) {
+                say(name, of, value, size);
+            }
+        }
         let mut heat = None;
         let mut checks: Vec<(&'static str, usize, bool)> = Vec::new();
         for (i, c) in self.contacts.iter().enumerate() {
@@ -1411,6 +1442,7 @@ impl<'s> System<'s> {
         let mut velocities = Vec::new();
         if s.event == Event::AtOnce {
             velocities = self.velocities(&v0);
+            velocities.extend(self.powers(s, &v0));
         }
         if self.contacts.iter().any(|c| c.normal < 0.0) {
             return Verdict::LiftsOff;

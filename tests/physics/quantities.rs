@@ -1,4 +1,5 @@
 //! Work, momentum, pin forces, ends by height and cord, and the forces of an instant, against values found by hand.
+use crate::joined::{all_near, constants, told};
 use slipstick::bank::{labels, load};
 use slipstick::problem::maker::Maker;
 use slipstick::solve::outcome::Solved;
@@ -232,4 +233,121 @@ end: at once";
         seen[usize::from(slips)] += 1;
     }
     assert!(seen.iter().all(|n| *n > 0), "{seen:?}");
+}
+
+/// At once: `P v` of a pull where its cord moves, `M omega` of couples, that of a drive among them.
+#[test]
+fn power_at_once() {
+    let data = "
+        P: {name: pull, unit: N, draw: always 10}
+        C: {name: couple, unit: N*m, draw: always 3}";
+    let scene = "
+surfaces: {incline: {slope: 10 deg}}
+bodies: {wheel: {mass: 5 kg, shape: {disc: 0.3 m}, radii: {rim: 0.3 m}, moves: along incline, positive: up}}
+ties:
+  - rolls: {body: wheel, on its: rim}
+  - cord: {from: {body: wheel, wound on: rim, leaves: top forward}, pulled with: P}
+forces: [couple: {on: wheel, moment: C, sense: back}]
+start: {wheel: {speed: 2 m/s}}
+end: at once
+";
+    // The top of the wheel is twice as fast as its centre.
+    let rolls = Told::of(&bank(data, scene, "power_pull"));
+    rolls.is("power_pull", 10.0 * 4.0);
+    rolls.is("power_couple", -3.0 * 2.0 / 0.3);
+    // A cord at an angle gives power along the surface alone.
+    let tilted = scene.replace(
+        "wound on: rim, leaves: top forward",
+        "tied at: centre, leaves: forward, at an angle: 60 deg",
+    );
+    Told::of(&bank(data, &tilted, "power_pull")).is("power_pull", 10.0 * 0.5 * 2.0);
+    let pendulum = "
+bodies: {rod: {mass: 2 kg, shape: {rod: 1.2 m}, pinned: at its end, angle: from hanging}}
+forces: [couple: {on: rod, moment: 5 N*m, sense: back}]
+start: {rod: {angle: 30 deg, spin: 3 rad/s}}
+end: at once
+";
+    all_near(&told(pendulum, &["power_couple"]), &[-15.0], 1e-13);
+    // It takes I alpha + m g L/2 to drive a level rod.
+    let driven = "
+bodies: {rod: {mass: 2 kg, shape: {rod: 1.2 m}, moves: in the plane, angle: from right}}
+joints: {O: {pins: rod.A}}
+forces: [couple: {on: rod, moment: 4 N*m}]
+start: {rod: {angle: 0 deg, spin: 3 rad/s, alpha: 2 rad/s^2}}
+end: at once
+";
+    let all = 2.0 * 1.2 * 1.2 / 3.0 * 2.0 + 2.0 * 9.81 * 0.6;
+    all_near(&told(driven, &["rod.drive", "rod.power_couple"]), &[all - 4.0, all * 3.0], 1e-13);
+    // The couple on a rod that is hinged to a crank, as the crank passes over the top: the rod does not turn, then it turns the other way.
+    for (angle, rate) in [(90.0_f64, 0.0), (0.0, -2.0)] {
+        let linkage = format!(
+            "
+bodies:
+  crank: {{mass: 1 kg, shape: {{rod: 0.3 m}}, moves: in the plane, angle: from right}}
+  rod:   {{mass: 2 kg, shape: {{rod: 0.9 m}}, moves: in the plane}}
+joints:
+  O: {{pins: crank.A}}
+  A: {{hinges: [crank.B, rod.A]}}
+  B: {{guides: rod.B, along: horizontal}}
+forces: [couple: {{on: rod, moment: 7 N*m}}]
+start: {{crank: {{angle: {angle} deg, spin: 6 rad/s}}}}
+end: at once
+"
+        );
+        let power = told(&linkage, &["rod.power_couple"])[0];
+        assert!((power - 7.0 * rate).abs() < 1e-12, "{power} at {angle}");
+    }
+}
+
+/// The angle that is reached, counted as at the start, in time, to a speed and at rest.
+#[test]
+fn the_angle_at_the_end() {
+    let arm = |angle: &str, start: &str, end: &str| {
+        format!(
+            "
+bodies: {{arm: {{mass: 3 kg, shape: {{rod: 2 m}}, moves: in a horizontal plane, angle: {angle}}}}}
+joints: {{O: {{pins: arm.A}}}}
+forces: [couple: {{on: arm, moment: 2 N*m, sense: back}}]
+start: {{arm: {start}}}
+end: {end}
+"
+        )
+    };
+    // I = 4 kg m^2, so it slows down by 0.5 rad/s^2.
+    let first = 30.0_f64.to_radians();
+    for (end, turned) in [
+        ("{time: {of: arm, is: 1.5 s}}", 2.0 * 1.5 - 0.25 * 1.5 * 1.5),
+        ("{speed: {of: arm, reaches: 1 rad/s}}", 3.0),
+        ("{turning point: arm}", 4.0),
+    ] {
+        for angle in ["from right", "from up", "from left clockwise"] {
+            let scene = arm(angle, "{angle: 30 deg, spin: 2 rad/s}", end);
+            all_near(&told(&scene, &["arm.angle"]), &[first + turned], 1e-13);
+        }
+    }
+    // From rest it goes back.
+    let back = arm("from hanging", "{angle: 30 deg}", "{time: {of: arm, is: 2 s}}");
+    all_near(&told(&back, &["arm.angle"]), &[first - 1.0], 1e-13);
+    // A pendulum comes to rest on the other side.
+    let swing = "
+bodies: {rod: {mass: 2 kg, shape: {rod: 1 m}, pinned: at its end, angle: from hanging}}
+start: {rod: {angle: 40 deg}}
+end: {turning point: rod}
+";
+    all_near(&told(swing, &["angle"]), &[-(40.0_f64.to_radians())], 1e-13);
+    // What is told at the end, or of what is round, is not asked.
+    let told_at_the_end = swing.replace("{turning point: rod}", "{angle: {of: rod, reaches: 0 deg}}");
+    for scene in [
+        told_at_the_end.as_str(),
+        "
+bodies: {wheel: {mass: 2 kg, shape: {disc: 0.3 m}, moves: in the plane, placed: [0 m, 0.3 m]}}
+joints: {floor: {rolls: wheel, radius: 0.3 m, along: horizontal}}
+start: {wheel: {speed: 2 m/s}}
+end: {time: {of: wheel, is: 2 s}}
+",
+    ] {
+        let scene = &constants(scene).problems[0].cases[0].scene;
+        let hint = labels::named(scene, "angle").unwrap_err().1.unwrap_or_default();
+        assert!(hint.contains("an end at a time"), "{hint}");
+    }
 }

@@ -1429,6 +1429,15 @@ problems:
       end: {turn: {of: D, by: 2 rad}}
     questions: {direction: {ask: direction}}
     statement: '{{ m }} and so on'
+  r:
+    title: R
+    data: {m: {name: mass, unit: kg, draw: always 3}}
+    scene:
+      bodies: {B: {mass: m, shape: {rod: 1 m}, pinned: at its end, angle: from upright}}
+      start: {B: {angle: 30 deg, spin: -1 rad/s}}
+      end: {turning point: B}
+    questions: {angle: {ask: the angle there, unit: deg}}
+    statement: '{{ m }} and so on'
 ",
     );
     for (language, said) in [
@@ -1438,6 +1447,7 @@ problems:
                 "`1.pin_radial`, in\u{a0}N, positive toward the pin\n",
                 "`1.pin_tangential`, in\u{a0}N\n",
                 "`2.direction`, `forward` or `back`, a clockwise turn is `forward`",
+                "in\u{a0}deg, signed or with `clockwise` / `counter-clockwise`, counted clockwise from straight up",
             ],
         ),
         (
@@ -1446,6 +1456,7 @@ problems:
                 "`1.pin_radial`, in\u{a0}N, positiv zum Lager hin\n",
                 "`1.pin_tangential`, in\u{a0}N, positiv im Sinn eines wachsenden Winkels\n",
                 "eine Drehung im Uhrzeigersinn ist `vorwärts`",
+                "in\u{a0}deg, mit Vorzeichen oder mit `im Uhrzeigersinn` / `gegen den Uhrzeigersinn`, von oben aus im Uhrzeigersinn gezählt",
             ],
         ),
     ] {

@@ -46,6 +46,14 @@ pub const ANGLES: [(&str, (Ray, bool)); 8] = [
     ("from down clockwise", (Ray::Down, true)),
 ];
 
+/// All words for that, for who writes another one.
+const FROM_WHERE: &str = if cfg!(feature = "program") {
+    "write `from right` or `from horizontal`, `from up`, `from upright` or `from vertical`, `from down` or `from hanging`; another \
+     sense than the usual one, and that of `from left`, with `clockwise` or `counter-clockwise`"
+} else {
+    ""
+};
+
 impl SceneReader<'_> {
     /// How a body lies in the plane; the start gives its angle.
     pub(super) fn planar(&self, fields: &mut Fields, body: &Body, level: bool) -> Planar {
@@ -67,7 +75,13 @@ impl SceneReader<'_> {
             _ => self.along(n, rod),
         });
         let centre = given.unwrap_or(rod.map_or(Place::At(Num::Fixed(0.0)), Place::HalfOf));
-        let angle = fields.get("angle").and_then(|n| self.word(n, "from where the angle counts", &ANGLES));
+        let angle = fields.get("angle").and_then(|n| {
+            // Other words of the same meaning have been put into these.
+            let known = ANGLES.iter().find(|(word, _)| n.text().is_some_and(|text| text.trim() == *word));
+            known
+                .map(|(_, meant)| *meant)
+                .or_else(|| f.expected(n, "from where the angle counts", FROM_WHERE))
+        });
         let (from, clockwise) = angle.unwrap_or((Ray::Right, false));
         let origin_m = fields.get("placed").and_then(|n| self.place(n));
         let words = [("ahead", Branch::Ahead), ("behind", Branch::Behind)];

@@ -71,6 +71,18 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
             say(Quantity::IG, Owner::Body(b), pairs);
         }
     }
+    for (tie, cord, force) in scene.pulls() {
+        let power = plant!("energy: power of a pull at once", n.massive(force)) * motion.point(n, &cord.from);
+        say(Quantity::PowerPull, Owner::Tie(tie), power);
+    }
+    for b in 0..scene.bodies.len() {
+        let own = scene.couples.iter().filter(|c| c.body == b);
+        let power =
+            own.map(|c| (n.massive(c.moment_n_m) * motion.w[b]).signed(if c.forward { 1.0 } else { -1.0 }));
+        if let Some(power) = power.reduce(T::balance) {
+            say(Quantity::PowerCouple, Owner::Body(b), plant!("energy: power of couples at once", power));
+        }
+    }
     say(Quantity::KineticEnergy, Owner::Scene, energy);
     if scene.coordinates().next().is_some() && !energy.is_zero() {
         let turning =

@@ -100,6 +100,8 @@ struct Account<'a, T: Real> {
     rubs: SmallVec<[f64; 4]>,
     /// Did equations leave open which of them say something of their own? Nothing is enclosed then.
     open: Cell<bool>,
+    /// Does it go on where it was looked for the end no farther?
+    goes_on: Cell<bool>,
     /// The couple that drives the leading body, counter-clockwise.
     drive: Cell<Option<T>>,
     /// Where guides rub: the way as far as its balance has been solved.
@@ -184,6 +186,12 @@ pub fn road<T: Real>(
         return Err(Refusal::NoMethod { method: Method::Gauss });
     }
     let mut road = account.road(asked)?;
+    while account.goes_on.replace(false) && account.layout.looks_farther() {
+        // What is known of the way did not look at the springs that are met farther on.
+        account.solved.borrow_mut().clear();
+        account.seen.borrow_mut().clear();
+        road = account.road(asked)?;
+    }
     if account.open.get() {
         road.said.iter_mut().for_each(|said| said.value = said.value.widened(|| f64::INFINITY));
     }
@@ -289,6 +297,7 @@ impl<'a, T: Real> Account<'a, T> {
             slides: scene.joints.iter().map(|_| 0.0).collect(),
             rubs: scene.joints.iter().map(|_| 0.0).collect(),
             open: Cell::new(false),
+            goes_on: Cell::new(false),
             drive: Cell::new(None),
             solved: RefCell::new(Vec::new()),
             seen: RefCell::new(Vec::new()),
@@ -750,6 +759,9 @@ impl<'a, T: Real> Account<'a, T> {
         let backward = far.sign() < 0.0 || !ball::unwatched(|| self.presses(&begin, from))?;
         let from = (&begin, from);
         let found = if backward { None } else { self.reached(far, from)? };
+        let stays = !backward && found.is_none() && limit.is_none() && !matches!(scene.end, End::Angle(..));
+        let goes_on = stays && self.turning(far, from)?.is_none() && self.stays_in_touch(far, from)?;
+        self.goes_on.set(goes_on);
         let overruns = match limit {
             Some(_) if matches!(scene.end, End::Angle(..)) => found.is_some(),
             Some(_) => found.is_none() && self.turning(far, from)?.is_none(),
@@ -819,6 +831,17 @@ impl<'a, T: Real> Account<'a, T> {
             self.say(road, Quantity::T, Owner::Scene, time);
         }
         self.say(road, Quantity::Phi, Owner::Body(self.lead), open(self.layout.turned(way)));
+        if let Some(lead) = scene.ends_at_an_angle() {
+            let degrees = |way: T| way * T::constant(Dd::new(180.0) / Dd::PI);
+            let start = scene.planar(lead).and_then(|p| p.start_deg).map_or_else(T::zero, |x| self.n.get(x));
+            let reached = plant!("energy: angle at the end", start.balance(degrees(way).signed(self.sense)));
+            self.say(
+                road,
+                Quantity::Angle,
+                Owner::Body(lead),
+                open(reached * T::constant(Dd::PI / Dd::new(180.0))),
+            );
+        }
         let poses = self.at(&place)?;
         let places = self.between(from.0, &poses, &place);
         for (b, body) in scene.bodies.iter().enumerate() {

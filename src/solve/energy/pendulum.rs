@@ -114,14 +114,15 @@ impl<T: Real> Pendulum<T> {
             let across = k * (s1 * c0 * p0).balance(-(s0 * c1 * p1));
             let along = (k2 * c0 * c1).balance(s0 * s1 * p0 * p1);
             let complement = complement / k;
-            // The way of a turn is half a turn of the amplitude.
-            let turn = || elliptic::complete(complement).scale2(2);
-            let part = match (across.sign() < 0.0, way.f64() > 3.0 * std::f64::consts::PI) {
-                (true, _) => turn() - elliptic::incomplete(-across, along, complement),
-                (false, false) => elliptic::incomplete(across, along, complement),
-                (false, true) => turn() + elliptic::incomplete(across, along, complement),
-            };
-            return part / k;
+            // The way of a turn is half a turn of the amplitude, after two turns all is as before: in the first of two, or in the second.
+            let back = across.sign() < 0.0;
+            let middle = if back { 3.0 } else { 1.0 };
+            let pairs =
+                ((way.f64() / std::f64::consts::PI - middle) / 4.0).round() + if back { 1.0 } else { 0.0 };
+            let own = elliptic::incomplete(across.abs(), along, complement);
+            let own = if back { -own } else { own };
+            let whole = || elliptic::complete(complement).scale2(2) * T::of(pairs);
+            return if pairs > 0.0 { whole() + own } else { own } / k;
         }
         if p0.is_zero() {
             // From rest, without the common factors, which may be very small.

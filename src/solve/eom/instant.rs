@@ -5,6 +5,7 @@ use crate::num::Real;
 use crate::num::plant::plant;
 use crate::scene::{Coordinate, Degree, Label, Numbers, Owner, Quantity, Scene, Start, speed};
 use crate::solve::eom::equations::{Setting, respond};
+use crate::solve::eom::{couple_on, take_up};
 use crate::solve::outcome;
 use crate::solve::outcome::{Refusal, Road, Said, Scope};
 use smallvec::{SmallVec, smallvec};
@@ -71,6 +72,21 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
         say(Quantity::XG, of, xg, scale_x);
         say(Quantity::YG, of, yg, scale_y);
         say(Quantity::IG, of, inertia, inertia.f64());
+    }
+    let velocity = |c: Coordinate| {
+        let own = struck.coordinates.iter().zip(&struck.velocities).find(|(own, _)| **own == c);
+        own.map_or_else(T::zero, |(_, v)| *v)
+    };
+    for (tie, cord, force) in scene.pulls() {
+        let speed = take_up(n, &cord.from, |degree| velocity(Coordinate { body: cord.from.body, degree }));
+        let power = n.massive(force) * speed;
+        say(Quantity::PowerPull, Owner::Tie(tie), power, power.size());
+    }
+    for (body, _) in scene.bodies.iter().enumerate() {
+        if let Some(moment) = couple_on(scene, n, body) {
+            let power = moment * velocity(Coordinate { body, degree: Degree::Turn });
+            say(Quantity::PowerCouple, Owner::Body(body), power, power.size());
+        }
     }
     say(Quantity::KineticEnergy, Owner::Scene, energy, energy.f64());
     if !struck.coordinates.is_empty() && !energy.is_zero() {

@@ -216,12 +216,18 @@ pub fn road_by<T: Real>(
     asked: Scope,
     by: Option<Steps>,
 ) -> Result<(Road<T>, Count), Refusal> {
-    let mechanism = Mechanism::new(scene, n)?;
-    let (count, road) = (Count::default(), Road::new(asked));
+    let mut mechanism = Mechanism::new(scene, n)?;
     let pinned = scene.pinned().map(|(body, _)| body);
-    let mut teller = Teller { scene, n, mechanism: &mechanism, asked, by, pinned, count, road };
-    follow(&mut teller)?;
-    Ok((teller.road, teller.count))
+    loop {
+        let (count, road) = (Count::default(), Road::new(asked));
+        let mut teller =
+            Teller { scene, n, mechanism: &mechanism, asked, by, pinned, count, road, goes_on: false };
+        follow(&mut teller)?;
+        let Teller { count, road, goes_on, .. } = teller;
+        if !goes_on || !mechanism.looks_farther() {
+            return Ok((road, count));
+        }
+    }
 }
 
 /// Follows the bodies to the instant or the end that is asked, and tells what is there.
@@ -244,7 +250,7 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
         // What strikes straight at a joint moves nothing.
         let most = teller.blows() * mechanism.size() / mechanism.inertia(&state).size();
         spin = spin.balance(mechanism.leading(&jumps).0.cleared(most));
-        teller.tell_blow(&jumps);
+        teller.tell_blow(&state, &jumps);
     }
     let free = mechanism.respond(&state, &nothing)?;
     let (a, b) = mechanism.leading(&free);
@@ -937,6 +943,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             } else {
                 if stop.why == Why::Far {
                     overrun()?;
+                    teller.goes_on = true;
                 }
                 (stop.why, stop.time) = (Why::Rest, None);
             }
@@ -950,6 +957,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 End::Time(..) => stop.why == Why::Far && stop.time.is_some(),
                 _ => false,
             };
+        teller.goes_on |=
+            !reached && !backward && stop.why == Why::Far && !matches!(scene.end, End::Time(..));
         let farthest = self.farthest(teller, &stop, reached, most);
         teller.road.course = course(farthest, stop.slowest, reached);
         self.tell_touching(teller, &stop, least);
@@ -1017,6 +1026,13 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             teller.say(Quantity::T, Owner::Scene, time);
         }
         teller.say(Quantity::Phi, Owner::Body(self.mechanism.lead), self.mechanism.turned(stop.way));
+        if let Some(lead) = scene.ends_at_an_angle() {
+            let start = scene.planar(lead).and_then(|planar| planar.start_deg);
+            let start =
+                start.map_or_else(T::zero, |start| self.mechanism.n.get(start) * trig::radians_per_degree());
+            let reached = start.balance(plant!("eom: angle at the end", stop.way.signed(self.sense)));
+            teller.say_scaled(Quantity::Angle, Owner::Body(lead), reached, start.size() + stop.way.size());
+        }
         let (mut state, mut response) = self.at(stop.way)?;
         if teller.pinned.is_some() {
             let place = self.place(stop.way, rest, by.is_none());
@@ -1058,4 +1074,6 @@ struct Teller<'t, 'a, T: Real> {
     pinned: Option<usize>,
     count: Count,
     road: Road<T>,
+    /// Does it go on where it was looked for the end no farther?
+    goes_on: bool,
 }

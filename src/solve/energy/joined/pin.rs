@@ -64,9 +64,6 @@ impl<T: Real> Account<'_, T> {
             let own = self.n.bodies[self.lead].inertia;
             self.say(road, Quantity::RotationalFraction, Owner::Scene, own / inertia);
         }
-        if let Some(moment) = self.couple().filter(|_| road.course.is_some()) {
-            self.say(road, Quantity::PowerCouple, of, moment * rate);
-        }
     }
 
     /// The force of its pin: along its axis and across from virtual displacements of the body without a turn, in which the pin's force

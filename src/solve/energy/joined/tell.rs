@@ -200,6 +200,11 @@ impl<T: Real> Account<'_, T> {
                     self.say(road, Quantity::Alpha, of, turning(b).signed(self.counts(b)));
                 }
             }
+            let own = self.of_couples(motion).filter(|(body, _)| *body == b).map(|(_, power)| power);
+            let all = own.chain(self.of_drive(motion).filter(|_| b == self.lead)).reduce(T::balance);
+            if let Some(power) = all.filter(|_| rates.is_some()) {
+                self.say(road, Quantity::PowerCouple, of, power);
+            }
             let points = body.planar.as_ref().map_or(0, |p| p.points.len());
             for spot in (0..points).map(|point| Spot { body: b, point }) {
                 let [x, y] = self.of_spot(poses, motion, spot);

@@ -99,12 +99,8 @@ impl<T: Real> Account<'_, T> {
     /// Powers of forces, couples and springs.
     pub fn applied(&self, poses: &Poses<T>, motion: &Motion<T>) -> SmallVec<[T; 6]> {
         let mut powers: SmallVec<[T; 6]> = self.pushed(poses, motion, false).collect();
-        powers.extend(self.drive.get().map(|moment| moment * motion[self.lead][2]));
-        for c in &self.scene.couples {
-            let moment = plant!("energy: power of a couple in the plane", self.n.massive(c.moment_n_m));
-            let turn = motion[c.body][2].signed(self.counts(c.body));
-            powers.push(moment * if c.forward { turn } else { -turn });
-        }
+        powers.extend(self.of_drive(motion));
+        powers.extend(self.of_couples(motion).map(|(_, power)| power));
         for (s, (strut, natural)) in self.scene.struts.iter().zip(&self.natural).enumerate() {
             let length = self.length(poses, s).value;
             if strut.acts != Acts::Both && !self.bears(s, length) {
@@ -131,6 +127,19 @@ impl<T: Real> Account<'_, T> {
             powers.push(-(slope * longer));
         }
         powers
+    }
+
+    /// The power of the couple that drives the leading body.
+    pub fn of_drive(&self, motion: &Motion<T>) -> Option<T> {
+        self.drive.get().map(|moment| moment * motion[self.lead][2])
+    }
+    /// The powers of couples, each with its body.
+    pub fn of_couples(&self, motion: &Motion<T>) -> impl Iterator<Item = (usize, T)> {
+        self.scene.couples.iter().map(move |c| {
+            let moment = plant!("energy: power of a couple in the plane", self.n.massive(c.moment_n_m));
+            let turn = motion[c.body][2].signed(self.counts(c.body));
+            (c.body, moment * if c.forward { turn } else { -turn })
+        })
     }
 
     /// Direction of a force.

@@ -12,7 +12,7 @@ pub fn at_once<T: Real>(teller: &mut Teller<T>, spin: T, nothing: &[f64]) -> Res
     let state = mechanism.state(T::zero(), !spin.is_zero() || teller.pinned.is_some())?;
     if scene.is_struck() {
         let jumps = mechanism.struck(&state)?;
-        teller.tell_blow(&jumps);
+        teller.tell_blow(&state, &jumps);
         teller.tell_motion(&mechanism.after(state, spin, &jumps), T::of(1.0), None);
         return Ok(());
     }
@@ -63,6 +63,7 @@ fn driven<T: Real>(teller: &mut Teller<T>, alpha: T, spin: T) -> Result<(), Refu
     let arm = mechanism.size();
     let size = beside(moment.size() + teller.pulls() * arm, teller.loads(spin.square()) * arm);
     teller.say_scaled(Quantity::Drive, Owner::Body(mechanism.lead), moment, size);
+    teller.tell_powers(&state, spin, Some(moment));
     teller.watch(&response, spin.square());
     let lead = mechanism.leading(&response);
     teller.tell(&state, &response, (spin, lead), &rubs)

@@ -240,11 +240,6 @@ impl<T: Real> Teller<'_, '_, T> {
         if !rate.is_zero() {
             self.say(Quantity::RotationalFraction, Owner::Scene, self.n.bodies[body].inertia / inertia);
         }
-        if let Some(moment) = couple_on(self.scene, self.n, body)
-            && self.road.course.is_some()
-        {
-            self.say(Quantity::PowerCouple, of, moment * rate);
-        }
     }
 
     /// The force of the pin of a body along its axis, toward the pin, and across, positive with a growing angle.

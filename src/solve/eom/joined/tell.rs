@@ -4,6 +4,7 @@ use crate::num::plant::plant;
 use crate::num::{Dd, Real, gauss, root, trig};
 use crate::scene::pose::Obstacle;
 use crate::scene::{Acts, JointKind, Label, Owner, Quantity, Spot, StrutEnd, pose};
+use crate::solve::eom::couple_on;
 use crate::solve::eom::joined::{BESIDE, Fine, Gain, Motion, PUSHES, SHORT, SHORTEST, Teller, look};
 use crate::solve::eom::planar::{LOOKED_THROUGH, Response, State};
 use crate::solve::outcome::{Course, Held, Refusal, Said};
@@ -223,7 +224,7 @@ impl<T: Real> Teller<'_, '_, T> {
     }
 
     /// The impulses of the joints at a blow. One that can only push and would have to pull lets go, and the other way round.
-    pub fn tell_blow(&mut self, jumps: &Response<T>) {
+    pub fn tell_blow(&mut self, state: &State<T>, jumps: &Response<T>) {
         let all = self.blows() + self.mechanism.gained(jumps);
         for (j, joint) in self.scene.joints.iter().enumerate() {
             let (of, quantities) = (Owner::Joint(j), joint.kind.impulses());
@@ -232,8 +233,9 @@ impl<T: Real> Teller<'_, '_, T> {
                 continue;
             };
             for (quantity, impulse) in quantities.iter().zip(&impulses) {
-                let impulse = plant!("eom: impulse of a joint", *impulse);
-                self.say_scaled(*quantity, of, impulse, impulse.size() + all);
+                let impulse = plant!("eom: impulse of a joint", *impulse).cleared(impulse.size() + all);
+                let terms = self.mechanism.meets_at(state, jumps, j).unwrap_or(all);
+                self.say_scaled(*quantity, of, impulse, beside(impulse.size() + terms, all));
             }
             if joint.kind.is_one_sided() && impulses[0].below(T::of(-PUSHES * all)) {
                 let [pull, all] =
@@ -317,9 +319,26 @@ impl<T: Real> Teller<'_, '_, T> {
         let on = self.forces_on(state, response, square);
         self.tell_motion(state, rate, Some((response, &on, terms)));
         self.tell_spin(state, rate);
+        self.tell_powers(state, rate, None);
         self.tell_whole(state);
         self.tell_forces(state, response, square, sliding);
         Ok(())
+    }
+
+    /// The powers of couples at this rate, with the couple that drives the leading body.
+    pub fn tell_powers(&mut self, state: &State<T>, rate: T, drive: Option<T>) {
+        for body in 0..self.scene.bodies.len() {
+            let drives = drive.filter(|_| body == self.mechanism.lead);
+            // Of a driven body they are told together.
+            let waits = drive.is_none()
+                && self.scene.bodies[body].planar.as_ref().is_some_and(|p| p.driven.is_some());
+            let own = couple_on(self.scene, self.n, body);
+            if let Some(moment) = own.into_iter().chain(drives).reduce(T::balance).filter(|_| !waits) {
+                let turn = if self.pinned.is_some() { rate } else { self.mechanism.spin(state, body) * rate };
+                let fastest = moment.size() * f64::max(turn.size(), rate.size());
+                self.say_scaled(Quantity::PowerCouple, Owner::Body(body), moment * turn, fastest);
+            }
+        }
     }
 
     /// Of bodies that a pin holds and that are welded into one: mass centre, and moments of inertia by the theorem of parallel axes.
