@@ -260,7 +260,7 @@ fn is(broken: bool) -> Option<&'static str> {
 fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
     let named = |what: fn(&Body) -> bool| scene.bodies.iter().find(|b| what(b)).map(|b| b.name.as_str());
     let level = |b: &Body| b.planar.as_ref().is_some_and(|p| p.level);
-    let rough = |j: &&Joint| matches!(j.kind, JointKind::Guide { mu_k: Some(_), .. });
+    let rough = |j: &&Joint| j.kind.mu_k().is_some();
     let rough = scene.joints.iter().find(rough).map(|j| j.name.as_str());
     let driven = (0..scene.bodies.len()).find(|b| scene.planar(*b).is_some_and(|p| p.driven.is_some()));
     let driven = driven.filter(|b| scene.end != End::AtOnce || scene.is_struck() || scene.lead() != Some(*b));

@@ -225,7 +225,9 @@ macro_rules! walks {
                         place_m.$iter().for_each(|x| tell(x, PLACE));
                         beyond.$iter().for_each(|(_, place)| place.$iter().for_each(|x| tell(x, PLACE)));
                     }
-                    JointKind::Contact { radius_m, surface, .. } => match surface {
+                    JointKind::Contact { radius_m, surface, mu_k, .. } => {
+                        mu_k.$iter().for_each(|mu| tell(mu, FRICTION));
+                        match surface {
                         Surface::Line(at) => {
                             tell(radius_m, ("m", &[NotNegative]));
                             line(at, tell);
@@ -237,7 +239,7 @@ macro_rules! walks {
                             centre_m.$iter().for_each(|x| tell(x, PLACE));
                             tell(arc, RADIUS);
                         }
-                    },
+                    }}
                     JointKind::Guide { line: at, mu_k, .. } => {
                         line(at, tell);
                         mu_k.$iter().for_each(|mu| tell(mu, FRICTION));

@@ -1591,14 +1591,18 @@ impl<'d, 'a> Plane<'d, 'a> {
                     let line = self.line(line);
                     self.add_hold(j, force, &[(at, vector(&left(&line)))], None);
                     if let Some(mu) = mu_k {
-                        self.rub(j, at, &line, mu, force);
+                        self.rub(j, at, &line, (mu, ZERO.factors()), force);
                     }
                 }
-                JointKind::Contact { at, radius_m, surface, rolls, teeth } => {
+                JointKind::Contact { at, radius_m, surface, rolls, mu_k, teeth } => {
                     // Teeth press along the rim alone.
                     let normal = (!teeth).then(|| named(self, ["N"; 2], ""));
                     let friction = rolls.then(|| named(self, ["F"; 2], ""));
                     self.touch(j, [normal, friction], at, radius_m, surface);
+                    if let (Some(mu), Some(normal), Surface::Line(line)) = (mu_k, normal, surface) {
+                        let (line, radius) = (self.line(line), self.number(radius_m, "r", "m").factors());
+                        self.rub(j, at, &line, (mu, radius), normal);
+                    }
                 }
                 JointKind::Cord { at, place_m, .. } => {
                     let force = named(self, ["T", "J"], "");
@@ -1704,8 +1708,15 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.holds.push(Hold { joint, unknown: force, pulls, inward, given: ZERO });
     }
 
-    /// Friction of a guide, against the sense in which its point slides: as the key has it.
-    fn rub(&mut self, joint: usize, at: Spot, line: &[Factors; 2], mu: Num, normal: SymbolId) {
+    /// Friction of a guide, or at the rim of a wheel of this radius, against the sense in which it slides: as the key has it.
+    fn rub(
+        &mut self,
+        joint: usize,
+        at: Spot,
+        line: &[Factors; 2],
+        (mu, radius): (Num, Factors),
+        normal: SymbolId,
+    ) {
         let mu = self.number(mu, r"\mu_k", "1");
         let key = |quantity| self.key(Label { quantity, of: Owner::Joint(joint) });
         let (rubs, presses) = (key(Quantity::Friction).unwrap_or(0.0), key(Quantity::Normal));
@@ -1722,11 +1733,20 @@ impl<'d, 'a> Plane<'d, 'a> {
         if let Some(on) = self.scene.joints[joint].kind.carrier() {
             let back = along.each_ref().map(|x| x.signed(-1));
             self.add_pull(on.body, &point, size.clone(), back);
+            self.at_the_rim(&radius, -sense);
         }
         self.add_pull(at.body, &point, size, along);
+        self.at_the_rim(&radius, sense);
         let name = tagged("F", &names::joint(self.scene, joint));
         let force = self.named(&[&name], "N");
         self.frictions.push((joint, force, in_sense(mu * normal, f64::from(sense) * up)));
+    }
+
+    /// The last force acts so far below its point, where the wheel about that touches its surface.
+    fn at_the_rim(&mut self, radius: &Factors, sense: i8) {
+        if let Some(pull) = self.pulls.last_mut() {
+            pull.turn = pull.turn.plus(&Sum::one(&radius.signed(sense)));
+        }
     }
 
     /// The angular velocity of a body per unit rate of the leading angle, as its own angle counts.

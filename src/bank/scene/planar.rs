@@ -294,15 +294,15 @@ impl SceneReader<'_> {
         };
         let (at, radius_m, surface, mu_k) = (at?, radius?, surface?, mu_k?);
         match (surface, mu_k) {
-            (_, None) => Some(JointKind::Contact { at, radius_m, surface, rolls, teeth }),
-            (Surface::Line(line), _) if radius_m == Num::Fixed(0.0) => {
+            (Surface::Line(line), Some(_)) if radius_m == Num::Fixed(0.0) => {
                 Some(JointKind::Guide { at, line, reversed: false, one_sided: true, mu_k })
             }
-            _ => f.refuse_with(
+            (Surface::Arc { .. }, Some(_)) => f.refuse_with(
                 node,
-                "only a point rubs, on a straight line",
-                "remove `mu_k`, or let a point of the body slide without `radius`",
+                "what rubs on a cylinder is not followed",
+                "remove `mu_k`, or let it rub on a straight line: `along: horizontal`, or an angle",
             ),
+            _ => Some(JointKind::Contact { at, radius_m, surface, rolls, mu_k, teeth }),
         }
     }
 

@@ -76,6 +76,8 @@ struct Motion<'m, 'a, T: Real> {
     fine: Fine,
     /// Is the time asked for, or where it is at a time?
     timed: bool,
+    /// Does nothing change on the way, so that no part of it is too long?
+    steady: bool,
 }
 
 /// The panels of a motion, and the shares below which the last Legendre coefficients of its rate and of its time are smooth.
@@ -258,7 +260,7 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
     };
     let first = a.balance(b * spin.square()).cleared(turning);
     let sense = if spin.is_zero() { first.sign() } else { spin.sign() };
-    let slides = sliding(mechanism, &state, &|at| mechanism.speed(&state, at).map(|v| v.signed(sense)));
+    let slides = sliding(mechanism, &state, &|at| mechanism.moves(&state, at).map(|v| v.signed(sense)));
     let rubs = rubbing(mechanism, &slides, spin.square(), &|rubs| mechanism.respond(&state, rubs))?;
     let rubbed = slides.iter().any(|s| *s != 0.0);
     let factor = if rubbed { T::of(1.0) } else { mechanism.inertia(&state) };
@@ -273,6 +275,7 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
         meets: mechanism.meets(sense, (mechanism.horizon(), look())),
         pendulum: teller.pendulum(&state, sense, spin),
         fine: Fine::of::<T>(scene, false),
+        steady: scene.spins_in_place(),
         timed: teller.asked.quantities.has(Quantity::T) || matches!(scene.end, End::Time(..)),
     };
     // Friction may hold what would set off without it.
@@ -290,19 +293,23 @@ fn look<T: Real>() -> T {
     T::of(STRIDE / 16.0)
 }
 
-/// The senses in which points slide in guides that rub, by their velocities (or accelerations from rest).
+/// The senses in which points slide in guides that rub, and wheels at surfaces, by the velocities of points and turns (or accelerations
+/// from rest).
 fn sliding<T: Real>(
     mechanism: &Mechanism<T>,
     state: &State<T>,
-    moves: &dyn Fn(Spot) -> [T; 2],
+    moves: &dyn Fn(Spot) -> [T; 3],
 ) -> SmallVec<[f64; 4]> {
     let of = |(j, joint): (usize, &Joint)| {
         let Some((at, _)) = joint.kind.rubs() else { return 0.0 };
         let [c, s] = mechanism.line(state, j);
-        let [x, y] = moves(at);
-        let along = (x * c).balance(y * s);
+        let [x, y, turn] = moves(at);
+        let mut along = (x * c).balance(y * s);
+        if let Some((_, radius, _)) = joint.kind.surface() {
+            along = along.balance(plant!("eom: slip of a rim", mechanism.n.get(radius) * turn));
+        }
         // A turn of what carries the line has no part along it.
-        let Some([x, y]) = joint.kind.carrier().map(moves) else { return along.sign() };
+        let Some([x, y, _]) = joint.kind.carrier().map(moves) else { return along.sign() };
         along.balance(-(x * c)).balance(-(y * s)).sign()
     };
     mechanism.scene.joints.iter().enumerate().map(of).collect()
@@ -389,7 +396,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     }
     /// Do all points that rub slide as at the start?
     fn slides_on(&self, state: &State<T>) -> bool {
-        let now = |at| self.mechanism.speed(state, at).map(|v| v.signed(self.sense));
+        let now = |at| self.mechanism.moves(state, at).map(|v| v.signed(self.sense));
         sliding(self.mechanism, state, &now) == self.slides
     }
     /// Does this normal force press to the side to which it pressed at the start?
@@ -481,7 +488,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let mut width = end - at;
         let (least, mut panels) = (width.size() * SHORTEST, PANELS);
         while at.below(end) {
-            let far = self.variable(self.way(at).0 + T::of(STRIDE));
+            let far = if self.steady { end } else { self.variable(self.way(at).0 + T::of(STRIDE)) };
             let ahead = self.meets.iter().map(|(_, angle)| (*angle - self.start).signed(self.sense));
             let meets =
                 ahead.filter(|way| way.sign() > 0.0).map(|way| self.variable(way)).filter(|x| at.below(*x));
@@ -828,23 +835,35 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         Ok(found)
     }
 
+    /// How far it is looked for an end: what spins in one place twice as far as it takes to come to rest.
+    fn horizon(&self) -> Result<T, Refusal> {
+        let usual = self.mechanism.horizon();
+        if !self.steady {
+            return Ok(usual);
+        }
+        let (a, _) = self.mechanism.leading(&self.at(T::zero())?.1);
+        let slows = a.signed(-self.sense);
+        Ok(if slows.sign() > 0.0 { (self.from.half_square / slows).scale2(1) } else { usual })
+    }
+
     /// What is asked of the end and where the motion starts in its measure, how far at most it is looked for, and half the square of
     /// the rate that ends the motion.
-    fn wanted(&self) -> ((Option<T>, T), T, Option<T>) {
+    fn wanted(&self) -> Result<((Option<T>, T), T, Option<T>), Refusal> {
         let (scene, n) = (self.mechanism.scene, self.mechanism.n);
         if let Some(apart) = self.mechanism.to_end_deg() {
             let apart = apart.signed(self.sense);
-            return ((Some(apart), T::zero()), apart / trig::degrees_per_radian(), None);
+            return Ok(((Some(apart), T::zero()), apart / trig::degrees_per_radian(), None));
         }
-        match scene.end {
+        let far = self.horizon()?;
+        Ok(match scene.end {
             End::Speed(_, w) => {
                 let w = n.get(w) / self.mechanism.ratio();
                 let begins = self.from.half_square.scale2(1).root();
-                ((Some(w.abs()), begins), self.mechanism.horizon(), Some(w.square().scale2(-1)))
+                ((Some(w.abs()), begins), far, Some(w.square().scale2(-1)))
             }
-            End::Time(_, t) => ((Some(n.get(t)), T::zero()), self.mechanism.horizon(), None),
-            _ => ((None, T::zero()), self.mechanism.horizon(), None),
-        }
+            End::Time(_, t) => ((Some(n.get(t)), T::zero()), far, None),
+            _ => ((None, T::zero()), far, None),
+        })
     }
 
     /// The first joint that can only push and does not at the start.
@@ -890,7 +909,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     /// Follows the motion to the end that is asked and tells what is there.
     fn to_its_end(&self, teller: &mut Teller<'_, '_, T>) -> Result<(), Refusal> {
         let (scene, n) = (self.mechanism.scene, self.mechanism.n);
-        let ((asked, begins), mut far, level) = self.wanted();
+        let ((asked, begins), mut far, level) = self.wanted()?;
         let limit = self.mechanism.overruns(self.sense, (far + look(), look()));
         let limit = limit.filter(|(limit, _)| limit.at_most(far));
         far = limit.map_or(far, |(limit, _)| limit * T::of(SHORT));

@@ -127,6 +127,8 @@ struct End<T> {
     lever: Vector<T>,
     /// Further lever: the radius at which the force acts below that centre.
     radius: T,
+    /// The radius below it at which the friction of a normal force acts.
+    rim: T,
 }
 
 impl<T: Real> End<T> {
@@ -286,6 +288,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
             along,
             lever: self.lever(poses, spot),
             radius,
+            rim: zero,
         };
         rows.clear();
         for (joint, held) in self.scene.joints.iter().enumerate() {
@@ -318,7 +321,9 @@ impl<'a, T: Real> Mechanism<'a, T> {
                     let Some(touch) = self.layout.touch(joint, self.place(poses, at), line) else { continue };
                     let [rolls, teeth] = held.kind.rolls();
                     if !teeth {
-                        let (one, other) = self.against(joint, poses, end(at, touch.normal, zero));
+                        let rim = plant!("eom: radius at which a wheel rubs", touch.rim);
+                        let normal = End { rim, ..end(at, touch.normal, zero) };
+                        let (one, other) = self.against(joint, poses, normal);
                         let turns = other.is_some();
                         rows.push(Row { turns, ..Row::new(joint, one, other, -touch.bend) });
                     }
@@ -351,7 +356,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let apart = [own[0] - its[0], own[1] - its[1]];
         let lever = [one.lever[0] + apart[0], one.lever[1] + apart[1]];
         let along = one.along.map(|x| plant!("eom: force on what carries a line", -x));
-        let other = End { body: on.body, along, lever, radius: -one.radius };
+        let other = End { body: on.body, along, lever, radius: -one.radius, rim: -one.rim };
         (one, Some(other))
     }
 
@@ -366,15 +371,15 @@ impl<'a, T: Real> Mechanism<'a, T> {
                 let place = self.place(poses, spot);
                 let along = [(arc.axis[1] - place[1]) / arc.apart, (place[0] - arc.axis[0]) / arc.apart];
                 let lever = self.lever(poses, spot);
-                (End { body: self.lead, along, lever, radius: zero }, arc.apart)
+                (End { body: self.lead, along, lever, radius: zero, rim: zero }, arc.apart)
             }
             None => {
                 let none = [zero; 2];
                 if let Some(along) = self.layout.glide() {
-                    let end = End { body: self.lead, along, lever: none, radius: zero };
+                    let end = End { body: self.lead, along, lever: none, radius: zero, rim: zero };
                     return (Row::new(0, end, None, zero), T::of(1.0));
                 }
-                (End { body: self.lead, along: none, lever: none, radius: T::of(1.0) }, T::of(1.0))
+                (End { body: self.lead, along: none, lever: none, radius: T::of(1.0), rim: zero }, T::of(1.0))
             }
         };
         (Row::new(0, end, None, zero), speed.signed(self.sense(self.lead)))
@@ -451,7 +456,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
         if let Some(along) = self.drift {
             // From rest its mass centre does not move that way.
             let zero = T::zero();
-            let end = End { body: self.lead, along, lever: [zero; 2], radius: zero };
+            let end = End { body: self.lead, along, lever: [zero; 2], radius: zero, rim: zero };
             state.rows.push(Row::new(self.scene.joints.len(), end, None, zero));
         }
         let (columns, count) = (self.columns, state.rows.len() + 1);
@@ -623,9 +628,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let mut rows = state.rows.clone();
         for row in &mut rows {
             let Some(sense) = sliding.get(row.joint).copied() else { continue };
-            if let (JointKind::Guide { mu_k: Some(mu), .. }, true) =
-                (self.scene.joints[row.joint].kind, sense != 0.0)
-            {
+            if let Some(mu) = self.scene.joints[row.joint].kind.mu_k().filter(|_| sense != 0.0) {
                 let share = plant!("eom: kinetic friction in a guide", self.n.get(mu)).signed(-sense);
                 row.rubs = share;
             }
@@ -641,7 +644,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
             return [u[0], u[1], turn];
         }
         let f = [u[1] * rubs, -u[0] * rubs];
-        [u[0] + f[0], u[1] + f[1], turn + cross(end.lever, f)]
+        [u[0] + f[0], u[1] + f[1], turn + cross(end.lever, f) + end.rim * rubs]
     }
 
     /// The sum of the forces times the velocities for a unit rate of the leading angle, where nothing rubs.
@@ -939,15 +942,20 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let r = self.lever(&state.poses, spot);
         [x - spin * r[1], y + spin * r[0]]
     }
-    /// Acceleration of a point from rest.
-    pub fn pull_off(&self, state: &State<T>, response: &Response<T>, spot: Spot) -> Vector<T> {
+    /// Acceleration of a point from rest, and of the turn of its body.
+    pub fn pull_off(&self, state: &State<T>, response: &Response<T>, spot: Spot) -> [T; 3] {
         let [x, y] = self.acceleration(response, spot.body, T::zero());
         if !self.turns(spot.body) {
-            return [x, y];
+            return [x, y, T::zero()];
         }
         let turn = response.moves[0][spot.body][2];
         let r = self.lever(&state.poses, spot);
-        [x - turn * r[1], y + turn * r[0]]
+        [x - turn * r[1], y + turn * r[0], turn]
+    }
+    /// Velocity of a point, and rate of the turn of its body, for a unit rate.
+    pub fn moves(&self, state: &State<T>, spot: Spot) -> [T; 3] {
+        let [x, y] = self.speed(state, spot);
+        [x, y, state.rates[spot.body][2]]
     }
     /// The force of a joint at this square of the rate: its components to the right and up on the first body, or along its
     /// normal, or the tension of a cord; `None` where the joints leave it open.

@@ -19,10 +19,10 @@ impl<T: Real> Account<'_, T> {
         ball::unwatched(|| {
             let mut sure = true;
             // What sets off from rest beside a balance may turn in the first hair of the way.
-            let first = f64::min(self.stride, if value(T::zero())?.is_zero() { STEP / 32.0 } else { STEP });
+            let first = f64::min(self.stride, if value(T::zero())?.is_zero() { STEP / 32.0 } else { self.widest });
             let stops = self.meets.iter().copied().filter(|x| x.below(far)).chain([far]);
             let mut told = |now| sure &= decided(now);
-            let Some([from, to]) = root::leaves(stops, [first, STEP, STRETCHED], rising, value, &mut told)?
+            let Some([from, to]) = root::leaves(stops, [first, self.widest, STRETCHED], rising, value, &mut told)?
             else {
                 return Ok(None);
             };
@@ -74,7 +74,7 @@ impl<T: Real> Account<'_, T> {
         }
         let mut at = if self.scene.joints.iter().any(|j| j.kind.rubs().is_some()) { T::zero() } else { far };
         while at.below(far) {
-            let next = at + T::of(STEP);
+            let next = at + T::of(self.widest);
             at = if next.below(far) { next } else { far };
             let poses = self.poses(at)?;
             let motion = self.rates(&poses).iter().map(|r| r.map(|x| x.signed(self.sense))).collect();
@@ -170,7 +170,7 @@ impl<T: Real> Account<'_, T> {
             return Ok(None);
         }
         // It is looked at in ever longer ways: what lies beyond the end may be rough.
-        let mut limit = if self.pendulum.is_some() { far } else { least(T::of(STEP), &far) };
+        let mut limit = if self.pendulum.is_some() { far } else { least(T::of(self.widest), &far) };
         let (rest, most) = loop {
             let rest = self.turning(limit, from)?;
             let most = self.time(&(rest.unwrap_or(limit), None), from, rest.is_some())?;

@@ -2,7 +2,7 @@
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, ball, trig};
 use crate::scene::pose;
-use crate::scene::{Acts, JointKind, Label, Owner, Quantity, Spot};
+use crate::scene::{Acts, Label, Owner, Quantity, Spot};
 use crate::solve::energy::joined::{Accelerations, Account, Motion, Poses, STEP, Vector, dot};
 use crate::solve::outcome::{Course, Refusal, Road, Said};
 
@@ -268,8 +268,7 @@ impl<T: Real> Account<'_, T> {
             for (quantity, (force, _)) in quantities.iter().zip(&forces) {
                 self.say(road, *quantity, of, *force);
             }
-            if let (JointKind::Guide { mu_k: Some(mu), .. }, [(normal, _)]) = (joint.kind, forces.as_slice())
-            {
+            if let (Some(mu), [(normal, _)]) = (joint.kind.mu_k(), forces.as_slice()) {
                 let up = pose::upward(self.line(poses, j));
                 let most = plant!("energy: friction that is told", self.n.get(mu)) * *normal;
                 self.say(road, Quantity::Friction, of, -most.signed(self.rubs[j]).signed(up));

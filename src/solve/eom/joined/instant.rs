@@ -25,7 +25,7 @@ pub fn at_once<T: Real>(teller: &mut Teller<T>, spin: T, nothing: &[f64]) -> Res
     let mut slides = if spin.is_zero() {
         from_rest(&smooth)
     } else {
-        sliding(mechanism, &state, &|at| mechanism.speed(&state, at).map(|v| v * spin))
+        sliding(mechanism, &state, &|at| mechanism.moves(&state, at).map(|v| v * spin))
     };
     if !spin.is_zero() {
         outcome::all_slide(scene, &slides)?;
@@ -54,7 +54,7 @@ fn driven<T: Real>(teller: &mut Teller<T>, alpha: T, spin: T) -> Result<(), Refu
     let (scene, mechanism) = (teller.scene, teller.mechanism);
     let way = if spin.is_zero() { alpha / mechanism.ratio() } else { spin };
     let state = mechanism.state(T::zero(), true)?;
-    let slides = sliding(mechanism, &state, &|at| mechanism.speed(&state, at).map(|v| v * way));
+    let slides = sliding(mechanism, &state, &|at| mechanism.moves(&state, at).map(|v| v * way));
     outcome::all_slide(scene, &slides)?;
     let driven = |rubs: &[f64]| mechanism.driven(&state, rubs, (alpha, spin.square()));
     let rubs = rubbing(mechanism, &slides, spin.square(), &|rubs| Ok(driven(rubs)?.0))?;
