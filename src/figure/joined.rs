@@ -737,7 +737,12 @@ fn rubs(board: &mut Board, view: &SceneView, run: &GuideRun, others: &[&GuideRun
 }
 
 /// A surface under a wheel as far as the other ones that it touches, with which it makes a corner.
-fn cornered(view: &SceneView, plane: &PlaneLayout, joint: usize, (mut from, mut to): (Vec2, Vec2)) -> (Vec2, Vec2) {
+fn cornered(
+    view: &SceneView,
+    plane: &PlaneLayout,
+    joint: usize,
+    (mut from, mut to): (Vec2, Vec2),
+) -> (Vec2, Vec2) {
     let wheel = view.scene.joints[joint].kind.surface().map(|(at, ..)| at);
     for other in &view.scene.joints {
         let JointKind::Contact { at, surface: Surface::Line(line), radius_m, .. } = other.kind else {
@@ -814,9 +819,10 @@ fn held(board: &mut Board, view: &SceneView, plane: &PlaneLayout, index: usize) 
                         Some(_) => board.line(from, to, Role::Body),
                     }
                 }
-                Surface::Arc { centre_m, radius_m, .. } => {
+                Surface::Arc { centre_m, radius_m, on, .. } => {
                     let centre = ground(view, centre_m) * plane.scale;
-                    board.circle(centre, view.of(radius_m) * plane.scale, Role::Ground);
+                    let role = if on.is_some() { Role::Body } else { Role::Ground };
+                    board.circle(centre, view.of(radius_m) * plane.scale, role);
                     radius_line(board, view, centre, radius_m, plane.scale);
                 }
             }
@@ -1369,9 +1375,12 @@ impl Teller<'_, '_> {
                     true if teeth && kind.carrier().is_some() => "meshes_carried",
                     true if teeth => "meshes",
                     true => "rolls",
-                    false if mu_k.is_some() => "slips",
-                    false if self.view.of(radius_m) == 0.0 => "slides_itself",
-                    false => "slides",
+                    false => match (mu_k.is_some(), self.view.of(radius_m) == 0.0) {
+                        (true, true) => "rubs_itself",
+                        (true, false) => "slips",
+                        (false, true) => "slides_itself",
+                        (false, false) => "slides",
+                    },
                 };
                 let on = match surface {
                     Surface::Line(line) if line.on.is_some() => {
@@ -1381,6 +1390,10 @@ impl Teller<'_, '_> {
                         let line =
                             self.say("sloped", &[("angle", &say::text(self.view, direction_deg, "°"))]);
                         self.say("surface", &[("line", &line)])
+                    }
+                    Surface::Arc { radius_m, on: Some(on), .. } => {
+                        let radius = say::text(self.view, radius_m, "m");
+                        self.say("rim", &[("body", &self.called(on)), ("radius", &radius)])
                     }
                     Surface::Arc { radius_m, inside, .. } => {
                         let name = if inside { "within" } else { "outside" };

@@ -14,7 +14,7 @@ use crate::scene::{
 };
 use crate::solve::ladder::{self, Force, Taken};
 use crate::solve::method::{Method, Rung};
-use crate::solve::outcome::{Check, CheckKind, Refusal, Regime};
+use crate::solve::outcome::{Check, CheckKind, Lacks, Refusal, Regime};
 use crate::words::Words;
 use std::fmt::Display;
 
@@ -427,6 +427,14 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
                 ("unit", &given::speed_unit(of.degree)),
             ];
             say("refused.contradiction", &pieces)
+        }
+        Refusal::Friction(joint, lacks) => {
+            let name = match lacks {
+                Lacks::Sliding => "refused.friction.sliding",
+                Lacks::Side => "refused.friction.side",
+                Lacks::Lasting => "refused.friction.lasting",
+            };
+            say(name, &[("joint", &joint_name(scene, *joint))])
         }
         Refusal::Unsupported(what) => say(&format!("unsupported.{what:?}"), &[]),
         Refusal::Trouble { method, trouble: why } => format!("{}: {}", method.name(), trouble(why)),

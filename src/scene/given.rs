@@ -232,7 +232,7 @@ macro_rules! walks {
                             tell(radius_m, ("m", &[NotNegative]));
                             line(at, tell);
                         }
-                        Surface::Arc { centre_m, radius_m: arc, inside } => {
+                        Surface::Arc { centre_m, radius_m: arc, inside, .. } => {
                             // A hoop may hang on a smaller cylinder, as may what the bank tells no shape of.
                             let beside = if solid { Inside(*arc) } else { Unlike(*arc) };
                             tell(radius_m, ("m", &[NotNegative, beside][..1 + usize::from(*inside)]));

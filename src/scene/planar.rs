@@ -248,6 +248,8 @@ pub enum Surface {
         radius_m: Num,
         /// Is the body within it, or the cylinder within the body (a hoop on a peg)?
         inside: bool,
+        /// The point of a body at its axis, about which that turns on a fixed pin; `None`: it does not turn.
+        on: Option<Spot>,
     },
 }
 
@@ -295,6 +297,10 @@ impl JointKind {
         let (at, ..) = self.surface().filter(|_| self.mu_k().is_some())?;
         Some((at, !self.only_pushes()))
     }
+    /// Does this body rub there, or bear what does?
+    fn rubs_on(&self, body: usize) -> bool {
+        self.mu_k().is_some() && self.spots().any(|spot| spot.body == body)
+    }
     /// Is it round at this surface, so that its angle does not matter there, and turned by it, as it rolls or rubs?
     const fn turns_round(&self) -> bool {
         matches!(self, Self::Contact { rolls: true, .. } | Self::Contact { mu_k: Some(_), .. })
@@ -322,12 +328,20 @@ impl JointKind {
     pub fn carrier(&self) -> Option<Spot> {
         self.line()?.on
     }
+    /// The cylinder that turns under its point with another body: a point of that body.
+    pub fn drum(&self) -> Option<Spot> {
+        if let Self::Contact { surface: Surface::Arc { on, .. }, .. } = *self { on } else { None }
+    }
+    /// What moves under its point, and bears the opposite of its force: a point of that body.
+    pub fn bearer(&self) -> Option<Spot> {
+        self.carrier().or_else(|| self.drum())
+    }
     /// The points that it holds.
     pub fn spots(&self) -> impl Iterator<Item = Spot> {
         let (one, other) = match *self {
             Self::Hinge { one, other, .. } => (one, Some(other)),
             Self::Cord { at, beyond, .. } => (at, beyond.map(|(spot, _)| spot)),
-            Self::Pin { at, .. } | Self::Guide { at, .. } | Self::Contact { at, .. } => (at, self.carrier()),
+            Self::Pin { at, .. } | Self::Guide { at, .. } | Self::Contact { at, .. } => (at, self.bearer()),
         };
         std::iter::once(one).chain(other)
     }
@@ -461,7 +475,7 @@ impl Scene {
                 JointKind::Contact { at, surface: Surface::Line(_), .. } => {
                     at.body == body && joint.kind.turns_round()
                 }
-                _ => false,
+                _ => joint.kind.drum().is_some_and(|on| on.body == body),
             };
             let centred = |planar: &Planar| {
                 planar.points.iter().all(|(_, at)| *at == [planar.centre, Place::At(Num::Fixed(0.0))])
@@ -470,7 +484,7 @@ impl Scene {
         };
         let turning = || (0..self.bodies.len()).filter(|body| self.bodies[*body].turns);
         let slips = |body: &usize| {
-            let own = |joint: &Joint| joint.kind.rubs().is_some_and(|(at, _)| at.body == *body);
+            let own = |joint: &Joint| joint.kind.rubs_on(*body);
             round(*body) && self.joints.iter().any(own)
         };
         let first = turning().find(slips).or_else(|| turning().next().filter(|_| turning().all(round)));
@@ -498,9 +512,8 @@ impl Scene {
             StrutEnd::Spot(to) => centred(s.at) && centred(to),
             StrutEnd::Ground(_) | StrutEnd::Guide { .. } => centred(s.at),
         };
-        let rubs = |joint: &Joint| joint.kind.rubs().is_some_and(|(at, _)| at.body == lead);
         self.bodies[lead].turns
-            && self.joints.iter().any(rubs)
+            && self.joints.iter().any(|joint| joint.kind.rubs_on(lead))
             && self.joints.iter().all(|joint| joint.kind.spots().all(centred) && !turned(joint))
             && self.pushes.iter().all(|push| centred(push.at) && !(push.turns && push.at.body == lead))
             && self.struts.iter().all(springs)

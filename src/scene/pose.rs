@@ -507,7 +507,7 @@ impl<T: Real> Arc<T> {
     fn of(scene: &Scene, n: &Numbers<T>, joint: usize) -> Option<Self> {
         let JointKind::Contact {
             radius_m,
-            surface: Surface::Arc { centre_m, radius_m: arc, inside },
+            surface: Surface::Arc { centre_m, radius_m: arc, inside, .. },
             rolls,
             ..
         } = scene.joints[joint].kind
@@ -933,7 +933,7 @@ impl<'a, T: Real> Layout<'a, T> {
         let own = self.n.get(radius_m);
         let (normal, bend, radius) = match surface {
             Surface::Line(_) => (left(line), T::zero(), own),
-            Surface::Arc { centre_m, radius_m, inside } => {
+            Surface::Arc { centre_m, radius_m, inside, .. } => {
                 // A hoop hangs on its inner side.
                 let radius = if inside && self.n.get(radius_m).below(own) { -own } else { own };
                 let axis = ground(self.n, centre_m);
@@ -945,7 +945,13 @@ impl<'a, T: Real> Layout<'a, T> {
         };
         let right = [normal[1], -normal[0]];
         let up = if teeth { 1.0 } else { upward(right) };
-        Some(Touch { normal, along: right.map(|x| x.signed(up)), radius: radius.signed(up), rim: radius, bend })
+        Some(Touch {
+            normal,
+            along: right.map(|x| x.signed(up)),
+            radius: radius.signed(up),
+            rim: radius,
+            bend,
+        })
     }
     /// Where everything is when the leading angle has changed by this, radians; `None` for a body that the joints do not place.
     ///

@@ -162,6 +162,11 @@ fn dot<T: Real>(a: Vector<T>, b: Vector<T>) -> T {
     a[0] * b[0] + a[1] * b[1]
 }
 
+/// A quarter turn to the right.
+fn right<T: Real>([x, y]: Vector<T>) -> Vector<T> {
+    [y, -x]
+}
+
 /// Moment of a unit vector at a point of a body about the origin of its axis.
 fn about<T: Real>(poses: &Poses<T>, body: usize, [along, aside]: Vector<T>, u: Vector<T>) -> T {
     let [c, s] = poses[body].axis.map(|x| x.value);
@@ -445,12 +450,17 @@ impl<'a, T: Real> Account<'a, T> {
     fn sliding(&self, poses: &Poses<T>, motion: &Motion<T>) -> SmallVec<[f64; 4]> {
         let sense = |(j, joint): (usize, &Joint)| {
             let Some((at, _)) = joint.kind.rubs() else { return 0.0 };
-            let (u, v) = (self.line(poses, j), self.of_spot(poses, motion, at));
-            let from = joint.kind.carrier().map_or([T::zero(); 2], |on| self.of_spot(poses, motion, on));
-            let slip = (v[0].balance(-from[0]) * u[0]).balance(v[1].balance(-from[1]) * u[1]);
-            let Some((_, radius, _)) = joint.kind.surface() else { return slip.sign() };
-            let rim = plant!("energy: velocity of a rim", self.n.get(radius) * motion[at.body][2]);
-            slip.balance(rim).sign()
+            let (place, line) = (self.point(poses, at).map(|x| x.value), self.line(poses, j));
+            let Some(touch) = self.layout.touch(j, place, line) else { return 0.0 };
+            // Where they touch, each as it moves there.
+            let foot = [0, 1].map(|i| place[i] - touch.rim * touch.normal[i]);
+            let moves = |body: usize| {
+                let (origin, [x, y, turn]) = (poses[body].origin.map(|x| x.value), motion[body]);
+                [x.balance(-(turn * (foot[1] - origin[1]))), y.balance(turn * (foot[0] - origin[0]))]
+            };
+            let (u, v) = (right(touch.normal), moves(at.body));
+            let from = joint.kind.bearer().map_or([T::zero(); 2], |on| moves(on.body));
+            (v[0].balance(-from[0]) * u[0]).balance(v[1].balance(-from[1]) * u[1]).sign()
         };
         self.scene.joints.iter().enumerate().map(sense).collect()
     }
@@ -530,8 +540,8 @@ impl<'a, T: Real> Account<'a, T> {
                 };
                 for (spot, u, rim) in ends {
                     end(spot.body, pose::of_spot(self.scene, self.n, *spot), *u, *rim);
-                    if let Some(on) = joint.kind.carrier() {
-                        // What carries the line moves under it, at the same place.
+                    if let Some(on) = joint.kind.bearer() {
+                        // What carries the line, or turns under it, moves at the same place.
                         let place = self.point(poses, *spot).map(|x| x.value);
                         let back = u.map(|x| plant!("energy: velocity of what carries a line", -x));
                         end(on.body, poses[on.body].here().within(place), back, -*rim);
@@ -754,9 +764,9 @@ impl<'a, T: Real> Account<'a, T> {
 
     /// How far it goes to its end, or is looked for it.
     fn far(&self) -> T {
-        self.layout.to_end_deg().map_or(self.horizon, |apart| {
-            (apart * T::constant(Dd::PI / Dd::new(180.0))).signed(self.sense)
-        })
+        self.layout
+            .to_end_deg()
+            .map_or(self.horizon, |apart| (apart * T::constant(Dd::PI / Dd::new(180.0))).signed(self.sense))
     }
 
     fn settle(&self, spin: T, drive: (T, T), (wanted, road): (Scope, &mut Road<T>)) -> Result<(), Refusal> {

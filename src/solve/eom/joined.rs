@@ -13,14 +13,14 @@ use crate::num::gauss::{self, PerNode, Rule, Unsettled};
 use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, root, trig};
-use crate::scene::{End, Joint, Numbers, Owner, Quantity, Scene, Spot};
+use crate::scene::{End, Numbers, Owner, Quantity, Scene};
 use crate::solve::eom::STEPS;
 use crate::solve::eom::integrate::{Event, Route, pace};
 use crate::solve::eom::pendulum::Pendulum;
-use crate::solve::eom::planar::{LOOKED_THROUGH, Mechanism, Response, State};
+use crate::solve::eom::planar::{LOOKED_THROUGH, Mechanism, Rates, Response, State};
 use crate::solve::eom::travel;
 use crate::solve::method::Rung;
-use crate::solve::outcome::{self, Course, Held, Refusal, Road, Scope, Unsupported};
+use crate::solve::outcome::{self, Course, Held, Lacks, Refusal, Road, Scope};
 use smallvec::SmallVec;
 use std::cell::RefCell;
 
@@ -124,8 +124,8 @@ struct Panel<T> {
     times: PerNode<T>,
     /// For each joint that can only push or rubs: its normal force at the nodes.
     pushes: Watched<T>,
-    /// Do all points that rub slide as at the start, at the nodes?
-    slides_on: PerNode<bool>,
+    /// What no longer slides as at the start, at the nodes.
+    turned_back: PerNode<Option<usize>>,
     /// How far the last coefficients are above what is smooth.
     rough: f64,
     /// The same of the time.
@@ -207,8 +207,8 @@ enum Why {
     Speed,
     /// This joint no longer pushes.
     Leaves(usize),
-    /// A point that rubs turns back in its guide, or presses on its other side: not before here, or as if it had not.
-    Turns,
+    /// What rubs at this joint turns back, or presses on the other side of its guide: not before here, or as if it had not.
+    Turns(usize),
 }
 
 /// What the equations of motion say of what is asked in a scene of joined bodies; with the state at its end from the steps of a
@@ -260,7 +260,7 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
     };
     let first = a.balance(b * spin.square()).cleared(turning);
     let sense = if spin.is_zero() { first.sign() } else { spin.sign() };
-    let slides = sliding(mechanism, &state, &|at| mechanism.moves(&state, at).map(|v| v.signed(sense)));
+    let slides = sliding(mechanism, &state, (mechanism.moving(&state), sense));
     let rubs = rubbing(mechanism, &slides, spin.square(), &|rubs| mechanism.respond(&state, rubs))?;
     let rubbed = slides.iter().any(|s| *s != 0.0);
     let factor = if rubbed { T::of(1.0) } else { mechanism.inertia(&state) };
@@ -293,26 +293,16 @@ fn look<T: Real>() -> T {
     T::of(STRIDE / 16.0)
 }
 
-/// The senses in which points slide in guides that rub, and wheels at surfaces, by the velocities of points and turns (or accelerations
-/// from rest).
+/// The senses in which points slide in guides that rub, and wheels at surfaces, by the velocities (or accelerations from rest) of mass
+/// centres and turns, and this sense.
 fn sliding<T: Real>(
     mechanism: &Mechanism<T>,
     state: &State<T>,
-    moves: &dyn Fn(Spot) -> [T; 3],
+    (moves, sense): (&Rates<T>, f64),
 ) -> SmallVec<[f64; 4]> {
-    let of = |(j, joint): (usize, &Joint)| {
-        let Some((at, _)) = joint.kind.rubs() else { return 0.0 };
-        let [c, s] = mechanism.line(state, j);
-        let [x, y, turn] = moves(at);
-        let mut along = (x * c).balance(y * s);
-        if let Some((_, radius, _)) = joint.kind.surface() {
-            along = along.balance(plant!("eom: slip of a rim", mechanism.n.get(radius) * turn));
-        }
-        // A turn of what carries the line has no part along it.
-        let Some([x, y, _]) = joint.kind.carrier().map(moves) else { return along.sign() };
-        along.balance(-(x * c)).balance(-(y * s)).sign()
-    };
-    mechanism.scene.joints.iter().enumerate().map(of).collect()
+    let joints = mechanism.scene.joints.iter().enumerate();
+    let slip = |j: usize| mechanism.slip(state, j, moves).sign() * sense;
+    joints.map(|(j, joint)| if joint.kind.mu_k().is_some() { slip(j) } else { 0.0 }).collect()
 }
 
 /// The senses of friction per normal force: those of sliding, turned about where a guide that holds on both sides presses to its
@@ -394,10 +384,10 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let response = self.mechanism.respond(&state, &self.rubs)?;
         Ok((state, response))
     }
-    /// Do all points that rub slide as at the start?
-    fn slides_on(&self, state: &State<T>) -> bool {
-        let now = |at| self.mechanism.moves(state, at).map(|v| v.signed(self.sense));
-        sliding(self.mechanism, state, &now) == self.slides
+    /// The first joint that rubs at which nothing slides as at the start.
+    fn turned_back(&self, state: &State<T>) -> Option<usize> {
+        let now = sliding(self.mechanism, state, (self.mechanism.moving(state), self.sense));
+        now.iter().zip(&self.slides).position(|(now, before)| now != before)
     }
     /// Does this normal force press to the side to which it pressed at the start?
     fn presses_on(&self, joint: usize, force: T) -> bool {
@@ -411,7 +401,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let (mechanism, joints) = (self.mechanism, &self.mechanism.scene.joints);
         let [mut drives, mut growths, mut slopes, mut inertias] =
             [(); 4].map(|()| PerNode::with_capacity(rule.nodes.len()));
-        let mut slides_on = PerNode::new();
+        let mut turned_back = PerNode::new();
         let mut pushes: Watched<(T, T)> = SmallVec::new();
         let mut state = mechanism.state(self.angle(self.way(ends.1).0), true)?;
         let mut last = mechanism.inertia(&state);
@@ -423,7 +413,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             let mut drive = mechanism.drive(&state);
             if watched {
                 let response = mechanism.respond(&state, &self.rubs)?;
-                slides_on.push(self.slides_on(&state));
+                turned_back.push(self.turned_back(&state));
                 for joint in 0..joints.len() {
                     if let Some(parts) = mechanism.push(&response, joint) {
                         match pushes.iter_mut().find(|p| p.0 == joint) {
@@ -474,7 +464,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let factor = if self.is_rubbed() { T::of(1.0) } else { last };
         let uneven = rule.rough(&times, time, 0.0);
         let last = Gain { half_square, factor };
-        Ok(Panel { ends, pushes, slides_on, last, rough, uneven, times, squares, energies })
+        Ok(Panel { ends, pushes, turned_back, last, rough, uneven, times, squares, energies })
     }
 
     /// Shows smooth panels one after the other until `visit` has seen enough; gives what the rate comes to at the end.
@@ -590,8 +580,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let end = self.over((T::zero(), self.variable(far)), self.from, timely, &mut visit)?;
         let half_square = end.unwrap_or(self.from).half_square;
         let stop = found.unwrap_or(Stop { way: far, half_square, why: Why::Far, time: None, slowest: 1.0 });
-        if stop.why == Why::Turns && !timely {
-            return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
+        if let (Why::Turns(joint), false) = (stop.why, timely) {
+            return Err(Refusal::Friction(joint, Lacks::Lasting));
         }
         Ok(Stop { time, slowest: passes.share, ..stop })
     }
@@ -655,17 +645,19 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 }
             }
             let turned = match first {
-                Some((_, Why::Leaves(j))) => !self.mechanism.scene.joints[j].kind.is_one_sided(),
-                Some(_) => false,
-                None => !panel.slides_on.get(i).copied().unwrap_or(true),
+                Some((_, Why::Leaves(j))) => {
+                    Some(j).filter(|j| !self.mechanism.scene.joints[*j].kind.is_one_sided())
+                }
+                Some(_) => None,
+                None => panel.turned_back.get(i).copied().flatten(),
             };
-            if turned {
+            if let Some(joint) = turned {
                 // How long it goes on is looked at as far as it can be: where the end comes before, what is beyond it is not asked.
                 let moves = panel.squares.iter().all(|y| y.sign() > 0.0);
                 let (x, half_square) = if moves { (b, panel.last.half_square) } else { (before, square) };
                 let time = (moves && panel.uneven <= 1.0).then(|| rule.mean(&panel.times));
                 let way = self.way(x).0;
-                return Ok(Some(Stop { way, half_square, why: Why::Turns, time, slowest: 1.0 }));
+                return Ok(Some(Stop { way, half_square, why: Why::Turns(joint), time, slowest: 1.0 }));
             }
             if let Some((x, why)) = first {
                 let share = (x - a) / (b - a);
@@ -940,8 +932,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 None => self.time(stop.way, stop.why == Why::Rest)?,
             };
             most = Some(until);
-            if stop.why == Why::Turns && !t.below(until) {
-                return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
+            if let (Why::Turns(joint), false) = (stop.why, t.below(until)) {
+                return Err(Refusal::Friction(joint, Lacks::Lasting));
             }
             if t.side(until) == 0.0 {
                 (stop.why, stop.time) = (Why::Far, most);
@@ -1052,8 +1044,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         };
         let mut rubs =
             (0..scene.joints.len()).filter(|j| self.slides[*j] != 0.0 && scene.end != End::Leaves(*j));
-        if !self.slides_on(&state) || !rubs.all(presses_on) {
-            return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
+        if let Some(joint) = self.turned_back(&state).or_else(|| rubs.find(|j| !presses_on(*j))) {
+            return Err(Refusal::Friction(joint, Lacks::Lasting));
         }
         if let (Some(pinned), Some((_, rung_asks))) = (&self.pendulum, by) {
             self.step_through(teller, pinned, rung_asks)?;

@@ -73,7 +73,7 @@ pub struct Mechanism<'a, T: Real> {
 /// Where all bodies are.
 type Poses<T> = pose::Poses<T>;
 /// Velocity or acceleration of each mass centre, and of each turn, counter-clockwise; or force and moment.
-type Rates<T> = SmallVec<[[T; 3]; 3]>;
+pub type Rates<T> = SmallVec<[[T; 3]; 3]>;
 
 /// Where all bodies are, and how fast they move for a unit rate of the leading angle.
 #[derive(Debug, Clone)]
@@ -113,6 +113,8 @@ struct Row<T> {
     toward: [T; 2],
     /// Does it keep its point at a line that another body carries, and turns?
     turns: bool,
+    /// A body that turns under its point and bears the opposite force: it does not move the surface.
+    bears: Option<End<T>>,
     /// Friction to the right of its direction per normal force.
     rubs: T,
 }
@@ -140,10 +142,14 @@ impl<T: Real> End<T> {
 impl<T: Real> Row<T> {
     fn new(joint: usize, one: End<T>, other: Option<End<T>>, toward: T) -> Self {
         let ends = ([one, other.unwrap_or(one)], 1 + usize::from(other.is_some()));
-        Self { ends, joint, toward: [toward; 2], turns: false, rubs: T::zero() }
+        Self { ends, joint, toward: [toward; 2], turns: false, bears: None, rubs: T::zero() }
     }
     fn ends(&self) -> &[End<T>] {
         &self.ends.0[..self.ends.1]
+    }
+    /// On what its force acts.
+    fn loaded(&self) -> impl Iterator<Item = &End<T>> {
+        self.ends().iter().chain(&self.bears)
     }
 }
 
@@ -324,8 +330,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
                         let rim = plant!("eom: radius at which a wheel rubs", touch.rim);
                         let normal = End { rim, ..end(at, touch.normal, zero) };
                         let (one, other) = self.against(joint, poses, normal);
+                        let (other, bears) =
+                            if held.kind.drum().is_none() { (other, None) } else { (None, other) };
                         let turns = other.is_some();
-                        rows.push(Row { turns, ..Row::new(joint, one, other, -touch.bend) });
+                        rows.push(Row { turns, bears, ..Row::new(joint, one, other, -touch.bend) });
                     }
                     if rolls {
                         let radius = plant!("eom: radius of a rolling wheel", touch.radius);
@@ -351,7 +359,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
 
     /// What a row is for the body that moves on a line, and for that which carries the line: the opposite force at the same place.
     fn against(&self, joint: usize, poses: &Poses<T>, one: End<T>) -> (End<T>, Option<End<T>>) {
-        let Some(on) = self.scene.joints[joint].kind.carrier() else { return (one, None) };
+        let Some(on) = self.scene.joints[joint].kind.bearer() else { return (one, None) };
         let [own, its] = [one.body, on.body].map(|body| self.centre(poses, body));
         let apart = [own[0] - its[0], own[1] - its[1]];
         let lever = [one.lever[0] + apart[0], one.lever[1] + apart[1]];
@@ -521,9 +529,32 @@ impl<'a, T: Real> Mechanism<'a, T> {
         if clockwise { -1.0 } else { 1.0 }
     }
 
-    /// The direction of the line of a joint.
+    /// The direction along the surface of a joint, that to the right of its normal.
     pub fn line(&self, state: &State<T>, joint: usize) -> Vector<T> {
-        self.layout.line(joint, &state.poses)
+        match self.row_of(state, joint) {
+            Some(Row { ends: ([end, _], _), .. }) => [end.along[1], -end.along[0]],
+            None => [T::zero(); 2],
+        }
+    }
+    fn row_of<'s>(&self, state: &'s State<T>, joint: usize) -> Option<&'s Row<T>> {
+        state.rows.get(self.held[joint])
+    }
+    /// How fast a body slides along the surface of a joint, by the velocities (or accelerations from rest) of mass centres and turns.
+    pub fn slip(&self, state: &State<T>, joint: usize, moves: &Rates<T>) -> T {
+        let ends = self.row_of(state, joint).into_iter().flat_map(Row::loaded);
+        ends.fold(T::zero(), |slip, end| {
+            let ([x, y, turn], along) = (moves[end.body], [end.along[1], -end.along[0]]);
+            let rim = cross(end.lever, along).balance(end.rim);
+            slip.balance(x * along[0]).balance(y * along[1]).balance(rim * turn)
+        })
+    }
+    /// Velocities for a unit rate.
+    pub fn moving<'s>(&self, state: &'s State<T>) -> &'s Rates<T> {
+        &state.rates
+    }
+    /// Accelerations from rest.
+    pub fn setting_off<'r>(&self, response: &'r Response<T>) -> &'r Rates<T> {
+        &response.moves[CONSTANT]
     }
     /// Direction of the axis of a body.
     pub fn axis(&self, state: &State<T>, body: usize) -> Vector<T> {
@@ -831,7 +862,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
             }
         }
         for (j, row) in rows.iter().enumerate() {
-            for end in row.ends() {
+            for end in row.loaded() {
                 let force = Self::reacts(row, end);
                 for (k, f) in force.iter().enumerate().take(if self.turns(end.body) { 3 } else { 2 }) {
                     factors.add(self.first[end.body] + k, j, -*f);
@@ -871,12 +902,16 @@ impl<'a, T: Real> Mechanism<'a, T> {
         }
         for (j, (row, inward)) in held.iter().zip(inward).enumerate() {
             let unknown = self.columns + j;
-            for end in row.ends() {
-                let turn = plant!("eom: lever of an acceleration", end.turn());
-                let (own, force) = ([end.along[0], end.along[1], turn], Self::reacts(row, end));
-                let at = self.first[end.body];
+            for end in row.loaded() {
+                let (force, at) = (Self::reacts(row, end), self.first[end.body]);
                 for k in 0..if self.turns(end.body) { 3 } else { 2 } {
                     rows.term(at + k, unknown, -force[k]);
+                }
+            }
+            for end in row.ends() {
+                let turn = plant!("eom: lever of an acceleration", end.turn());
+                let (own, at) = ([end.along[0], end.along[1], turn], self.first[end.body]);
+                for k in 0..if self.turns(end.body) { 3 } else { 2 } {
                     rows.term(unknown, at + k, own[k]);
                 }
             }
@@ -941,21 +976,6 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let [x, y, spin] = state.rates[spot.body];
         let r = self.lever(&state.poses, spot);
         [x - spin * r[1], y + spin * r[0]]
-    }
-    /// Acceleration of a point from rest, and of the turn of its body.
-    pub fn pull_off(&self, state: &State<T>, response: &Response<T>, spot: Spot) -> [T; 3] {
-        let [x, y] = self.acceleration(response, spot.body, T::zero());
-        if !self.turns(spot.body) {
-            return [x, y, T::zero()];
-        }
-        let turn = response.moves[0][spot.body][2];
-        let r = self.lever(&state.poses, spot);
-        [x - turn * r[1], y + turn * r[0], turn]
-    }
-    /// Velocity of a point, and rate of the turn of its body, for a unit rate.
-    pub fn moves(&self, state: &State<T>, spot: Spot) -> [T; 3] {
-        let [x, y] = self.speed(state, spot);
-        [x, y, state.rates[spot.body][2]]
     }
     /// The force of a joint at this square of the rate: its components to the right and up on the first body, or along its
     /// normal, or the tension of a cord; `None` where the joints leave it open.

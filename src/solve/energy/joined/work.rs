@@ -312,7 +312,8 @@ impl<T: Real> Account<'_, T> {
         let mut solved = self.solved.borrow_mut();
         while solved.last().is_none_or(|s| s.ends.1.below(way)) {
             let (at, square) = solved.last().map_or((T::zero(), from), |s| (s.ends.1, s.squares.1));
-            let mut next = self.meets.iter().filter(|x| at.below(**x)).fold(at + T::of(8.0 * self.widest), least);
+            let mut next =
+                self.meets.iter().filter(|x| at.below(**x)).fold(at + T::of(8.0 * self.widest), least);
             let stretch = (0..=gauss::halvings()).find_map(|_| {
                 let stretch = self.collocate((at, next), square).transpose();
                 next = (at + next).scale2(-1);
