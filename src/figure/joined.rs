@@ -804,11 +804,6 @@ fn held(board: &mut Board, view: &SceneView, plane: &PlaneLayout, index: usize) 
                     let margin = radius + 40.0;
                     let ends = (foot + direction * (low - margin), foot + direction * (high + margin));
                     let (from, to) = cornered(view, plane, index, ends);
-                    if let Some(mu) = mu_k {
-                        let told = view.scene.joints[..index].iter().any(|j| j.kind.mu_k() == mu_k);
-                        let spots = vec![(foot, -direction.left()), (to, direction), (from, -direction)];
-                        board.wish(roughness(view, mu, told), spots, Role::Friction);
-                    }
                     match line.on {
                         None => {
                             board.hatch(from, to, -direction.left());
@@ -820,11 +815,24 @@ fn held(board: &mut Board, view: &SceneView, plane: &PlaneLayout, index: usize) 
                     }
                 }
                 Surface::Arc { centre_m, radius_m, on, .. } => {
-                    let centre = ground(view, centre_m) * plane.scale;
-                    let role = if on.is_some() { Role::Body } else { Role::Ground };
-                    board.circle(centre, view.of(radius_m) * plane.scale, role);
-                    radius_line(board, view, centre, radius_m, plane.scale);
+                    let drum = |on: Spot| round(view, on.body, view.scene.planar(on.body)?);
+                    // The rim of a drum is drawn with it.
+                    if on.and_then(drum) != Some(view.of(radius_m)) {
+                        let centre = ground(view, centre_m) * plane.scale;
+                        board.circle(centre, view.of(radius_m) * plane.scale, Role::Ground);
+                        radius_line(board, view, centre, radius_m, plane.scale);
+                    }
                 }
+            }
+            if let Some(mu) = mu_k {
+                let told = view.scene.joints[..index].iter().any(|j| j.kind.mu_k() == mu_k);
+                let (normal, far) = (plane.normal(view, &plane.start, surface, place), radius + 40.0);
+                let (foot, along) = (place - normal * radius, normal.right());
+                let ends = cornered(view, plane, index, (foot - along * far, foot + along * far));
+                let sides = [(ends.1, along), (ends.0, -along)];
+                let sides = sides.into_iter().filter(|_| matches!(surface, Surface::Line(_)));
+                let spots = std::iter::once((foot, -normal)).chain(sides).collect();
+                board.wish(roughness(view, mu, told), spots, Role::Friction);
             }
         }
         JointKind::Cord { at, place_m, beyond: Some((to, last_m)), .. } => {

@@ -227,6 +227,7 @@ fn reason(taken: &Taken) -> &'static str {
         (true, Method::Closed, Force::OfTime) => "the forces grow with a power of time or place, so the closed form is exact and nothing is cheaper",
         (true, Method::Closed, Force::Linear) => "the force changes in proportion to the displacement, so the closed form is exact and nothing is cheaper",
         (true, Method::Closed, Force::Pendulum) => "under its weight alone the time is an elliptic integral, known to rounding, and nothing is cheaper",
+        (true, _, Force::Rubs) => "friction does not change on the way, whose integral a few points settle",
         (true, _, Force::Irregular | Force::Joined) => "the force changes with the angle so that the time has no closed form; its integral is regular, so nothing has to be stepped",
         (_, Method::Closed, _) => "as asked; exact but for rounding",
         (_, Method::Gauss, _) => "as asked; the equations of motion judge it",

@@ -683,6 +683,13 @@ impl Judge<'_> {
             return Verdict::Beyond("conditions that depend on each other");
         };
         let slides = self.senses(&m.start, if still { &free } else { &v });
+        // What nothing sets off does not say which way it would rub.
+        let settled = |j: usize| {
+            m.holds[j].mu().is_some() && self.slip(&m.start, &free, j).is_some_and(|a| a.abs() < 1e-9)
+        };
+        if still && (0..m.holds.len()).any(settled) {
+            return Verdict::Beyond("nothing slides at a rough joint");
+        }
         let slow = if still { &free } else { &v }.iter().all(|x| x.abs() < 1e-9);
         if m.alpha.is_some() && slow && m.holds.iter().any(|h| h.mu().is_some()) {
             return Verdict::Beyond("friction that does not slide");
