@@ -1738,7 +1738,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// The last force acts so far below its point, where the wheel about that touches its surface.
     fn at_the_rim(&mut self, radius: &Factors, sense: i8) {
         if let Some(pull) = self.pulls.last_mut() {
-            pull.turn = pull.turn.plus(&Sum::one(&radius.signed(sense)));
+            pull.turn = pull.turn.plus(&Sum::one(radius.signed(sense)));
         }
     }
 

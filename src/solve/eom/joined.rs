@@ -155,6 +155,8 @@ type Watched<T> = SmallVec<[(usize, PerNode<T>); 2]>;
 /// Sees a panel and what the rate has come to at its start; true ends the march.
 type Visit<'v, T> = dyn FnMut(&Panel<T>, Gain<T>) -> Result<bool, Refusal> + 'v;
 
+/// What is asked of the end and where the motion starts in its measure; how far at most it is looked for; half a square of the rate.
+type Wanted<T> = ((Option<T>, T), T, Option<T>);
 /// What bodies do with these senses of friction.
 type Responds<'r, T> = dyn Fn(&[f64]) -> Result<Response<T>, Refusal> + 'r;
 
@@ -387,7 +389,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     /// The first joint that rubs at which nothing slides as at the start.
     fn turned_back(&self, state: &State<T>) -> Option<usize> {
         let now = sliding(self.mechanism, state, (self.mechanism.moving(state), self.sense));
-        now.iter().zip(&self.slides).position(|(now, before)| now != before)
+        now.iter().zip(&self.slides).position(|(now, before)| now - before != 0.0)
     }
     /// Does this normal force press to the side to which it pressed at the start?
     fn presses_on(&self, joint: usize, force: T) -> bool {
@@ -840,7 +842,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
 
     /// What is asked of the end and where the motion starts in its measure, how far at most it is looked for, and half the square of
     /// the rate that ends the motion.
-    fn wanted(&self) -> Result<((Option<T>, T), T, Option<T>), Refusal> {
+    fn wanted(&self) -> Result<Wanted<T>, Refusal> {
         let (scene, n) = (self.mechanism.scene, self.mechanism.n);
         if let Some(apart) = self.mechanism.to_end_deg() {
             let apart = apart.signed(self.sense);

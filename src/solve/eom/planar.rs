@@ -904,15 +904,15 @@ impl<'a, T: Real> Mechanism<'a, T> {
             let unknown = self.columns + j;
             for end in row.loaded() {
                 let (force, at) = (Self::reacts(row, end), self.first[end.body]);
-                for k in 0..if self.turns(end.body) { 3 } else { 2 } {
-                    rows.term(at + k, unknown, -force[k]);
+                for (k, f) in force.iter().enumerate().take(if self.turns(end.body) { 3 } else { 2 }) {
+                    rows.term(at + k, unknown, -*f);
                 }
             }
             for end in row.ends() {
                 let turn = plant!("eom: lever of an acceleration", end.turn());
                 let (own, at) = ([end.along[0], end.along[1], turn], self.first[end.body]);
-                for k in 0..if self.turns(end.body) { 3 } else { 2 } {
-                    rows.term(unknown, at + k, own[k]);
+                for (k, x) in own.iter().enumerate().take(if self.turns(end.body) { 3 } else { 2 }) {
+                    rows.term(unknown, at + k, *x);
                 }
             }
             rows.right(unknown, SQUARE, *inward);

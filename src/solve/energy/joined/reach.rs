@@ -81,7 +81,7 @@ impl<T: Real> Account<'_, T> {
             let poses = self.poses(at)?;
             let motion = self.rates(&poses).iter().map(|r| r.map(|x| x.signed(self.sense))).collect();
             let now = self.sliding(&poses, &motion);
-            if let Some(joint) = now.iter().zip(&self.slides).position(|(now, before)| now != before) {
+            if let Some(joint) = now.iter().zip(&self.slides).position(|(now, before)| now - before != 0.0) {
                 return turns(joint);
             }
         }
