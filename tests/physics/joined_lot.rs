@@ -605,7 +605,7 @@ fn rubbing(m: &mut Machine, l: &mut Lot) -> Option<bool> {
     m.kind = "rubbing";
     wheel(m, l, true);
     let hub = (0, on(0.0));
-    let mut rough = |l: &mut Lot| l.in_100(80).then(|| grid(l, 0.05, 0.7, 2));
+    let rough = |l: &mut Lot| l.in_100(80).then(|| grid(l, 0.05, 0.7, 2));
     let radius = grid(l, 0.1, 0.6, 2);
     let directions = [0.0, -90.0, 90.0, grid(l, -60.0, 60.0, 0)];
     let (direction, through) = (l.of(&directions), place(l));
