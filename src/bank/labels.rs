@@ -309,7 +309,7 @@ fn joined(scene: &Scene, all: &mut Gathered) {
         all.add(forces, of, joint.kind.forces());
         let holds = matches!(joint.kind, JointKind::Pin { .. } | JointKind::Hinge { .. });
         all.add(forces && holds, of, &[Q::PinForce, Q::PinAngle]);
-        let rubs = matches!(joint.kind, JointKind::Guide { mu_k: Some(_), .. });
+        let rubs = joint.kind.mu_k().is_some();
         all.add(forces && rubs, of, &[Q::Friction]);
     }
     for (s, strut) in scene.struts.iter().enumerate() {

@@ -5,7 +5,7 @@ use crate::bank::{Datum, Draw, TEMPLATE_NAMES, Variables};
 use crate::finding::{Finding, told};
 use crate::scene::{
     Attach, Body, Coordinate, Cord, CordEnd, Degree, End, Far, Grows, Joint, JointKind, Made, Num,
-    RotaryInertia, Scene, Slope, Tie,
+    RotaryInertia, Scene, Slope, Surface, Tie,
 };
 use crate::units::spell;
 
@@ -260,7 +260,7 @@ fn is(broken: bool) -> Option<&'static str> {
 fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
     let named = |what: fn(&Body) -> bool| scene.bodies.iter().find(|b| what(b)).map(|b| b.name.as_str());
     let level = |b: &Body| b.planar.as_ref().is_some_and(|p| p.level);
-    let rough = |j: &&Joint| matches!(j.kind, JointKind::Guide { mu_k: Some(_), .. });
+    let rough = |j: &&Joint| j.kind.mu_k().is_some();
     let rough = scene.joints.iter().find(rough).map(|j| j.name.as_str());
     let driven = (0..scene.bodies.len()).find(|b| scene.planar(*b).is_some_and(|p| p.driven.is_some()));
     let driven = driven.filter(|b| scene.end != End::AtOnce || scene.is_struck() || scene.lead() != Some(*b));
@@ -272,8 +272,16 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
     let straight = scene.restitution.is_some_and(|(joint, _)| {
         matches!(scene.joints[joint].kind, JointKind::Guide { .. } | JointKind::Contact { rolls: false, .. })
     });
+    let loose = |joint: &&Joint| {
+        let Some((_, _, Surface::Arc { centre_m, on: Some(on), .. })) = joint.kind.surface() else {
+            return false;
+        };
+        let holds = |j: &Joint| j.kind == JointKind::Pin { at: on, place_m: centre_m };
+        !scene.joints.iter().any(holds)
+    };
+    let loose = scene.joints.iter().find(loose).map(|j| j.name.as_str());
     #[rustfmt::skip] // a table
-    let rules: [SceneRule; 15] = [
+    let rules: [SceneRule; 16] = [
         (named(|b| b.planar.is_none()), "", "`{}` does not move in the plane, and another body does",
             "write `moves: in the plane` for all of them, with joints"),
         (is(!scene.ties.is_empty()), "ties", "what moves in the plane is held by joints", "write `joints`"),
@@ -291,6 +299,8 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
             "write it beside `guides:` or `slides:`: what a pin, a weld or a wheel that rolls throws back is not known"),
         (recoils.filter(|_| scene.pushes.iter().any(|p| p.blow)), "forces", "`{}` has a restitution, and an impulse acts besides",
             "take the impulse away"),
+        (loose, "joints", "`{}` lies on a cylinder that turns with a body, and no pin holds that body at the axis of the cylinder",
+            "write `outside: R, axis: [x, y], on: drum`, and for the drum `{pins: drum, at: [x, y]}` with the same numbers"),
         (rough.filter(|_| struck), "joints", "`{}` is rough, and an impulse acts: what friction does in a blow is not known",
             "remove `mu_k`"),
         (driven.map(|b| scene.bodies[b].name.as_str()), "start", "`{}` is driven, and its motion goes on",

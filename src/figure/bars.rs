@@ -8,7 +8,7 @@ use crate::picture::board::{Board, LabelWish, TEXT};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, symbol};
 use crate::problem::maker::Variant;
-use crate::scene::{Couple, Degree, Joint, JointKind, Label, Owner, Quantity, Start};
+use crate::scene::{Couple, Degree, Joint, Label, Owner, Quantity, Start};
 use crate::words::Words;
 
 /// Kinds of energy, by the number of their area.
@@ -177,7 +177,7 @@ fn joined_bodies(view: &SceneView) -> Option<Energies> {
     }
     *(if work >= 0.0 { &mut start[4] } else { &mut end[4] }) = work.abs();
     let mut energies = Energies { start, end };
-    let rubs = |j: &Joint| matches!(j.kind, JointKind::Guide { mu_k: Some(_), .. });
+    let rubs = |j: &Joint| j.kind.mu_k().is_some();
     if scene.joints.iter().any(rubs) {
         let (before, after) = energies.sums();
         energies.end[5] = before - after;

@@ -719,12 +719,12 @@ fn joint_forces(view: &SceneView, plane: &PlaneLayout, laid: &[Laid], body: usiz
                         forces.push(force(at, rubs, direction * up, name(j, "F")).of(Role::Friction));
                     }
                 }
-                JointKind::Contact { at, radius_m, surface, rolls, teeth, .. } => {
+                JointKind::Contact { at, radius_m, surface, rolls, mu_k, teeth } => {
                     let at = plane.spot(view, laid, at);
                     let normal = plane.normal(view, laid, surface, at);
                     let foot = at - normal * (view.of(radius_m) * plane.scale);
                     forces.push(pressing(j, foot, side * found(Quantity::Normal), normal, name(j, "N")));
-                    if rolls {
+                    if rolls || mu_k.is_some() {
                         let right = normal.right();
                         let (quantity, up) = match teeth {
                             true => (Quantity::RimForce, 1.0),

@@ -508,7 +508,7 @@ pub fn draw(board: &mut Board, view: &SceneView) {
         plane.outline(board, view, &plane.start, b, Role::Body);
         rails(board, Some(b));
     }
-    for joint in &view.scene.joints {
+    for joint in 0..view.scene.joints.len() {
         held(board, view, &plane, joint);
     }
     for strut in &view.scene.struts {
@@ -723,18 +723,24 @@ fn guide(board: &mut Board, run: &GuideRun, others: &[&GuideRun]) {
     }
 }
 
+/// A coefficient of friction: told where it is not `told` already.
+fn roughness(view: &SceneView, mu: Num, told: bool) -> Vec<TextRun> {
+    match view.symbol(mu) {
+        symbol if symbol.is_empty() => {
+            crate::figure::view::joined(symbol::symbol(r"\mu_k"), view.value(mu, ""))
+        }
+        symbol if told => symbol,
+        _ => view.label(mu, ""),
+    }
+}
+
 /// The coefficient of friction of a guide.
 fn rubs(board: &mut Board, view: &SceneView, run: &GuideRun, others: &[&GuideRun], told: bool) {
     let normal = run.direction.left();
     if let Some(mu) = run.mu_k {
         let (from, to) = run.ends(-run.apart, others);
         let middle = from.middle(to);
-        let label = crate::figure::view::joined(symbol::symbol(r"\mu_k"), view.value(mu, ""));
-        let label = match view.symbol(mu) {
-            symbol if symbol.is_empty() => label,
-            symbol if told => symbol,
-            _ => view.label(mu, ""),
-        };
+        let label = roughness(view, mu, told);
         let direction = run.direction;
         let mut spots = vec![(middle, -normal), (to, direction), (from, -direction)];
         // Under the face of a wedge it would be told of its floor.
@@ -745,8 +751,35 @@ fn rubs(board: &mut Board, view: &SceneView, run: &GuideRun, others: &[&GuideRun
     }
 }
 
+/// A surface under a wheel as far as the other ones that it touches, with which it makes a corner.
+fn cornered(
+    view: &SceneView,
+    plane: &PlaneLayout,
+    joint: usize,
+    (mut from, mut to): (Vec2, Vec2),
+) -> (Vec2, Vec2) {
+    let wheel = view.scene.joints[joint].kind.surface().map(|(at, ..)| at);
+    for other in &view.scene.joints {
+        let JointKind::Contact { at, surface: Surface::Line(line), radius_m, .. } = other.kind else {
+            continue;
+        };
+        if wheel != Some(at) || line.on.is_some() {
+            continue;
+        }
+        let normal = plane.direction(view, &plane.start, line).left();
+        let foot = plane.spot(view, &plane.start, at) - normal * (view.of(radius_m) * plane.scale);
+        let [behind, before] = [from, to].map(|end| (end - foot).dot(&normal));
+        if behind * before < 0.0 {
+            let corner = from + (to - from) * (behind / (behind - before));
+            if behind < 0.0 { from = corner } else { to = corner }
+        }
+    }
+    (from, to)
+}
+
 /// Pins, hinges and cords.
-fn held(board: &mut Board, view: &SceneView, plane: &PlaneLayout, joint: &Joint) {
+fn held(board: &mut Board, view: &SceneView, plane: &PlaneLayout, index: usize) {
+    let joint = &view.scene.joints[index];
     match joint.kind {
         JointKind::Guide { at, one_sided, .. } => {
             if !one_sided && view.scene.bodies[at.body].turns {
@@ -766,7 +799,7 @@ fn held(board: &mut Board, view: &SceneView, plane: &PlaneLayout, joint: &Joint)
             board.line(a, b, Role::Ground);
             board.circle(place, 3.6, Role::Inner);
         }
-        JointKind::Contact { at, radius_m, surface, .. } => {
+        JointKind::Contact { at, radius_m, surface, mu_k, .. } => {
             let place = plane.spot(view, &plane.start, at);
             let radius = view.of(radius_m) * plane.scale;
             if radius > 0.0 {
@@ -784,7 +817,8 @@ fn held(board: &mut Board, view: &SceneView, plane: &PlaneLayout, joint: &Joint)
                         plane.end.iter().map(|laid| (plane.spot(view, laid, at) - place).dot(&direction));
                     let (low, high) = reach.fold((0.0, 0.0), |(a, b), x| (f64::min(a, x), f64::max(b, x)));
                     let margin = radius + 40.0;
-                    let (from, to) = (foot + direction * (low - margin), foot + direction * (high + margin));
+                    let ends = (foot + direction * (low - margin), foot + direction * (high + margin));
+                    let (from, to) = cornered(view, plane, index, ends);
                     match line.on {
                         None => {
                             board.hatch(from, to, -direction.left());
@@ -795,11 +829,25 @@ fn held(board: &mut Board, view: &SceneView, plane: &PlaneLayout, joint: &Joint)
                         Some(_) => board.line(from, to, Role::Body),
                     }
                 }
-                Surface::Arc { centre_m, radius_m, .. } => {
-                    let centre = ground(view, centre_m) * plane.scale;
-                    board.circle(centre, view.of(radius_m) * plane.scale, Role::Ground);
-                    radius_line(board, view, centre, radius_m, plane.scale);
+                Surface::Arc { centre_m, radius_m, on, .. } => {
+                    let drum = |on: Spot| round(view, on.body, view.scene.planar(on.body)?);
+                    // The rim of a drum is drawn with it.
+                    if on.and_then(drum) != Some(view.of(radius_m)) {
+                        let centre = ground(view, centre_m) * plane.scale;
+                        board.circle(centre, view.of(radius_m) * plane.scale, Role::Ground);
+                        radius_line(board, view, centre, radius_m, plane.scale);
+                    }
                 }
+            }
+            if let Some(mu) = mu_k {
+                let told = view.scene.joints[..index].iter().any(|j| j.kind.mu_k() == mu_k);
+                let (normal, far) = (plane.normal(view, &plane.start, surface, place), radius + 40.0);
+                let (foot, along) = (place - normal * radius, normal.right());
+                let ends = cornered(view, plane, index, (foot - along * far, foot + along * far));
+                let sides = [(ends.1, along), (ends.0, -along)];
+                let sides = sides.into_iter().filter(|_| matches!(surface, Surface::Line(_)));
+                let spots = std::iter::once((foot, -normal)).chain(sides).collect();
+                board.wish(roughness(view, mu, told), spots, Role::Friction);
             }
         }
         JointKind::Cord { at, place_m, beyond: Some((to, last_m)), .. } => {
@@ -1343,16 +1391,19 @@ impl Teller<'_, '_> {
             JointKind::Guide { at, line, one_sided, mu_k, .. } => {
                 let what = if one_sided { "touches" } else { "guide" };
                 let guide = self.say(what, &[("point", &self.called(at)), ("line", &self.straight(line))]);
-                let rubs = |mu| self.say("rubs", &[("mu", &say::text(self.view, mu, ""))]);
-                mu_k.map_or_else(|| guide.clone(), |mu| format!("{guide} {}", rubs(mu)))
+                self.rough(guide, mu_k)
             }
-            JointKind::Contact { at, radius_m, surface, rolls, teeth } => {
+            JointKind::Contact { at, radius_m, surface, rolls, mu_k, teeth } => {
                 let what = match rolls {
                     true if teeth && kind.carrier().is_some() => "meshes_carried",
                     true if teeth => "meshes",
                     true => "rolls",
-                    false if self.view.of(radius_m) == 0.0 => "slides_itself",
-                    false => "slides",
+                    false => match (mu_k.is_some(), self.view.of(radius_m) == 0.0) {
+                        (true, true) => "rubs_itself",
+                        (true, false) => "slips",
+                        (false, true) => "slides_itself",
+                        (false, false) => "slides",
+                    },
                 };
                 let on = match surface {
                     Surface::Line(line) if line.on.is_some() => {
@@ -1362,6 +1413,10 @@ impl Teller<'_, '_> {
                         let line =
                             self.say("sloped", &[("angle", &say::text(self.view, direction_deg, "°"))]);
                         self.say("surface", &[("line", &line)])
+                    }
+                    Surface::Arc { radius_m, on: Some(on), .. } => {
+                        let radius = say::text(self.view, radius_m, "m");
+                        self.say("rim", &[("body", &self.called(on)), ("radius", &radius)])
                     }
                     Surface::Arc { radius_m, inside, .. } => {
                         let name = if inside { "within" } else { "outside" };
@@ -1373,7 +1428,7 @@ impl Teller<'_, '_> {
                     true => self.called(at),
                     false => capital(&names::the_body(self.view.words, self.view.scene, at.body)),
                 };
-                self.say(what, &[("point", &point), ("radius", &radius), ("on", &on)])
+                self.rough(self.say(what, &[("point", &point), ("radius", &radius), ("on", &on)]), mu_k)
             }
             JointKind::Cord { at, place_m, beyond: Some((to, last_m)), .. } => {
                 let what = if last_m == place_m { "cord_over" } else { "cord_over_both" };
@@ -1387,6 +1442,11 @@ impl Teller<'_, '_> {
                 self.say(what, &[("point", &self.called(at)), ("place", &self.place(place_m))])
             }
         }
+    }
+    /// What is said of a contact, with its coefficient of friction if it is rough.
+    fn rough(&self, contact: String, mu_k: Option<Num>) -> String {
+        let rubs = |mu| self.say("rubs", &[("mu", &say::text(self.view, mu, ""))]);
+        mu_k.map_or_else(|| contact.clone(), |mu| format!("{contact} {}", rubs(mu)))
     }
     fn strut(&self, strut: &Strut) -> String {
         let (Rest::Length(rest) | Rest::Stretch(rest)) = strut.rest;

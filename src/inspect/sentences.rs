@@ -15,7 +15,7 @@ use crate::scene::{
 };
 use crate::solve::ladder::{self, Force, Taken};
 use crate::solve::method::{Method, Rung};
-use crate::solve::outcome::{Check, CheckKind, Refusal, Regime};
+use crate::solve::outcome::{Check, CheckKind, Lacks, Refusal, Regime};
 use crate::words::Words;
 use std::fmt::Display;
 
@@ -229,6 +229,7 @@ fn reason(taken: &Taken) -> &'static str {
         (true, Method::Closed, Force::OfTime) => "the forces grow with a power of time or place, so the closed form is exact and nothing is cheaper",
         (true, Method::Closed, Force::Linear) => "the force changes in proportion to the displacement, so the closed form is exact and nothing is cheaper",
         (true, Method::Closed, Force::Pendulum) => "under its weight alone the time is an elliptic integral, known to rounding, and nothing is cheaper",
+        (true, _, Force::Rubs) => "friction does not change on the way, whose integral a few points settle",
         (true, _, Force::Irregular | Force::Joined) => "the force changes with the angle so that the time has no closed form; its integral is regular, so nothing has to be stepped",
         (_, Method::Closed, _) => "as asked; exact but for rounding",
         (_, Method::Gauss, _) => "as asked; the equations of motion judge it",
@@ -429,6 +430,14 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
                 ("unit", &given::speed_unit(of.degree)),
             ];
             say("refused.contradiction", &pieces)
+        }
+        Refusal::Friction(joint, lacks) => {
+            let name = match lacks {
+                Lacks::Sliding => "refused.friction.sliding",
+                Lacks::Side => "refused.friction.side",
+                Lacks::Lasting => "refused.friction.lasting",
+            };
+            say(name, &[("joint", &joint_name(scene, *joint))])
         }
         Refusal::Unsupported(what) => say(&format!("unsupported.{what:?}"), &[]),
         Refusal::Trouble { method, trouble: why } => format!("{}: {}", method.as_str(), trouble(why)),

@@ -390,6 +390,7 @@ impl Scene {
                     | JointKind::Contact {
                         surface: Surface::Line(Straight { on: None, direction_deg: Num::Fixed(d), .. }),
                         rolls: false,
+                        mu_k: None,
                         ..
                     },
                 ) if d % 180.0 == 0.0 => {

@@ -225,19 +225,21 @@ macro_rules! walks {
                         place_m.$iter().for_each(|x| tell(x, PLACE));
                         beyond.$iter().for_each(|(_, place)| place.$iter().for_each(|x| tell(x, PLACE)));
                     }
-                    JointKind::Contact { radius_m, surface, .. } => match surface {
+                    JointKind::Contact { radius_m, surface, mu_k, .. } => {
+                        mu_k.$iter().for_each(|mu| tell(mu, FRICTION));
+                        match surface {
                         Surface::Line(at) => {
                             tell(radius_m, ("m", &[NotNegative]));
                             line(at, tell);
                         }
-                        Surface::Arc { centre_m, radius_m: arc, inside } => {
+                        Surface::Arc { centre_m, radius_m: arc, inside, .. } => {
                             // A hoop may hang on a smaller cylinder, as may what the bank tells no shape of.
                             let beside = if solid { Inside(*arc) } else { Unlike(*arc) };
                             tell(radius_m, ("m", &[NotNegative, beside][..1 + usize::from(*inside)]));
                             centre_m.$iter().for_each(|x| tell(x, PLACE));
                             tell(arc, RADIUS);
                         }
-                    },
+                    }}
                     JointKind::Guide { line: at, mu_k, .. } => {
                         line(at, tell);
                         mu_k.$iter().for_each(|mu| tell(mu, FRICTION));

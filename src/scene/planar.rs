@@ -188,6 +188,8 @@ pub enum JointKind {
         surface: Surface,
         /// Does it roll without slipping?
         rolls: bool,
+        /// Kinetic friction coefficient of what slides; `None` if it is smooth, or rolls.
+        mu_k: Option<Num>,
         /// By teeth, which press along the rim alone?
         teeth: bool,
     },
@@ -248,6 +250,8 @@ pub enum Surface {
         radius_m: Num,
         /// Is the body within it, or the cylinder within the body (a hoop on a peg)?
         inside: bool,
+        /// The point of a body at its axis, about which that turns on a fixed pin; `None`: it does not turn.
+        on: Option<Spot>,
     },
 }
 
@@ -286,12 +290,25 @@ impl JointKind {
     pub const fn is_one_sided(&self) -> bool {
         self.only_pushes() || matches!(self, Self::Cord { rod: false, .. })
     }
-    /// A point that rubs in a guide, and does the guide hold it on both sides?
-    pub const fn rubs(&self) -> Option<(Spot, bool)> {
+    /// Coefficient of kinetic friction at a guide or a surface that is rough.
+    pub const fn mu_k(&self) -> Option<Num> {
         match *self {
-            Self::Guide { at, one_sided, mu_k: Some(_), .. } => Some((at, !one_sided)),
+            Self::Guide { mu_k, .. } | Self::Contact { mu_k, .. } => mu_k,
             _ => None,
         }
+    }
+    /// A point that rubs in a guide or the centre of a wheel that rubs on a surface, and does the guide hold it on both sides?
+    pub fn rubs(&self) -> Option<(Spot, bool)> {
+        let (at, ..) = self.surface().filter(|_| self.mu_k().is_some())?;
+        Some((at, !self.only_pushes()))
+    }
+    /// Does this body rub there, or bear what does?
+    fn rubs_on(&self, body: usize) -> bool {
+        self.mu_k().is_some() && self.spots().any(|spot| spot.body == body)
+    }
+    /// Is it round at this surface, so that its angle does not matter there, and turned by it, as it rolls or rubs?
+    const fn turns_round(&self) -> bool {
+        matches!(self, Self::Contact { rolls: true, .. } | Self::Contact { mu_k: Some(_), .. })
     }
     /// The point that it holds at a surface, the radius of the wheel whose centre that is (0 of a point alone), and the surface.
     pub const fn surface(&self) -> Option<(Spot, Num, Surface)> {
@@ -316,12 +333,20 @@ impl JointKind {
     pub fn carrier(&self) -> Option<Spot> {
         self.line()?.on
     }
+    /// The cylinder that turns under its point with another body: a point of that body.
+    pub fn drum(&self) -> Option<Spot> {
+        if let Self::Contact { surface: Surface::Arc { on, .. }, .. } = *self { on } else { None }
+    }
+    /// What moves under its point, and bears the opposite of its force: a point of that body.
+    pub fn bearer(&self) -> Option<Spot> {
+        self.carrier().or_else(|| self.drum())
+    }
     /// The points that it holds.
     pub fn spots(&self) -> impl Iterator<Item = Spot> {
         let (one, other) = match *self {
             Self::Hinge { one, other, .. } => (one, Some(other)),
             Self::Cord { at, beyond, .. } => (at, beyond.map(|(spot, _)| spot)),
-            Self::Pin { at, .. } | Self::Guide { at, .. } | Self::Contact { at, .. } => (at, self.carrier()),
+            Self::Pin { at, .. } | Self::Guide { at, .. } | Self::Contact { at, .. } => (at, self.bearer()),
         };
         std::iter::once(one).chain(other)
     }
@@ -425,10 +450,8 @@ impl Scene {
         };
         turned.extend((0..self.bodies.len()).filter(|b| spins(&self.bodies[*b])));
         for joint in &self.joints {
-            let turns = matches!(
-                joint.kind,
-                JointKind::Hinge { turned_deg: Some(_), .. } | JointKind::Contact { rolls: true, .. }
-            );
+            let welded = matches!(joint.kind, JointKind::Hinge { turned_deg: Some(_), .. });
+            let turns = welded || joint.kind.turns_round();
             for spot in joint.kind.spots() {
                 acts.push(spot);
                 turned.extend(turns.then_some(spot.body));
@@ -449,23 +472,54 @@ impl Scene {
             body.turns &= turned.contains(&b) || acts.iter().any(off);
         }
     }
-    /// What rolls on a line about its mass centre looks the same at every angle: where nothing else turns and no angle is given, that of
-    /// the first counts from the start.
+    /// What rolls or rubs on a line about its mass centre looks the same at every angle: where no angle is given, and nothing else turns
+    /// or it slips, that of the first counts from the start.
     pub fn round_from_start(&mut self) {
         let round = |body: usize| {
             let on_line = |joint: &Joint| match joint.kind {
-                JointKind::Contact { at, surface: Surface::Line(_), rolls: true, .. } => at.body == body,
-                _ => false,
+                JointKind::Contact { at, surface: Surface::Line(_), .. } => {
+                    at.body == body && joint.kind.turns_round()
+                }
+                _ => joint.kind.drum().is_some_and(|on| on.body == body),
             };
             let centred = |planar: &Planar| planar.points.iter().all(|(_, at)| *at == on_axis(planar.centre));
             self.joints.iter().any(on_line) && self.planar(body).is_some_and(centred)
         };
         let turning = || (0..self.bodies.len()).filter(|body| self.bodies[*body].turns);
-        let first = turning().next().filter(|_| self.lead().is_none() && turning().all(round));
+        let slips = |body: &usize| {
+            let own = |joint: &Joint| joint.kind.rubs_on(*body);
+            round(*body) && self.joints.iter().any(own)
+        };
+        let first = turning().find(slips).or_else(|| turning().next().filter(|_| turning().all(round)));
+        let first = first.filter(|_| self.lead().is_none());
         if let Some(planar) = first.and_then(|body| self.bodies[body].planar.as_mut()) {
             planar.start_deg = Some(Num::Fixed(0.0));
             planar.unmarked = true;
         }
+    }
+    /// Does the leading body rub while it turns about its mass centre, at which alone it is held, so that nothing else moves and nothing
+    /// changes?
+    pub fn spins_in_place(&self) -> bool {
+        let Some((lead, planar)) = self.lead().and_then(|lead| Some((lead, self.planar(lead)?))) else {
+            return false;
+        };
+        let centred = |spot: Spot| {
+            spot.body != lead || planar.points[spot.point].1 == [planar.centre, Place::At(Num::Fixed(0.0))]
+        };
+        let turned = |joint: &Joint| {
+            let welded = matches!(joint.kind, JointKind::Hinge { turned_deg: Some(_), .. });
+            (welded || joint.kind.rolls()[0]) && joint.kind.spots().any(|spot| spot.body == lead)
+        };
+        let springs = |s: &Strut| match s.to {
+            StrutEnd::Twist => s.at.body != lead,
+            StrutEnd::Spot(to) => centred(s.at) && centred(to),
+            StrutEnd::Ground(_) | StrutEnd::Guide { .. } => centred(s.at),
+        };
+        self.bodies[lead].turns
+            && self.joints.iter().any(|joint| joint.kind.rubs_on(lead))
+            && self.joints.iter().all(|joint| joint.kind.spots().all(centred) && !turned(joint))
+            && self.pushes.iter().all(|push| centred(push.at) && !(push.turns && push.at.body == lead))
+            && self.struts.iter().all(springs)
     }
     /// The bodies that move just before an impact, and how.
     pub fn arrivals(&self) -> impl Iterator<Item = (usize, Arrives)> {

@@ -510,7 +510,7 @@ impl<T: Real> Arc<T> {
     fn of(scene: &Scene, n: &Numbers<T>, joint: usize) -> Option<Self> {
         let JointKind::Contact {
             radius_m,
-            surface: Surface::Arc { centre_m, radius_m: arc, inside },
+            surface: Surface::Arc { centre_m, radius_m: arc, inside, .. },
             rolls,
             ..
         } = scene.joints[joint].kind
@@ -534,6 +534,8 @@ pub struct Touch<T> {
     pub along: [T; 2],
     /// Radius of the wheel, negative where it touches on its inner side, and where the surface rises to the left.
     pub radius: T,
+    /// The same, whichever side the surface rises to.
+    pub rim: T,
     /// Curvature of the way of its centre, positive where it bends away from the normal.
     pub bend: T,
 }
@@ -945,7 +947,7 @@ impl<'a, T: Real> Layout<'a, T> {
         let own = self.n.get(radius_m);
         let (normal, bend, radius) = match surface {
             Surface::Line(_) => (left(line), T::zero(), own),
-            Surface::Arc { centre_m, radius_m, inside } => {
+            Surface::Arc { centre_m, radius_m, inside, .. } => {
                 // A hoop hangs on its inner side.
                 let radius = if inside && self.n.get(radius_m).below(own) { -own } else { own };
                 let axis = ground(self.n, centre_m);
@@ -957,7 +959,13 @@ impl<'a, T: Real> Layout<'a, T> {
         };
         let right = [normal[1], -normal[0]];
         let up = if teeth { 1.0 } else { upward(right) };
-        Some(Touch { normal, along: right.map(|x| x.signed(up)), radius: radius.signed(up), bend })
+        Some(Touch {
+            normal,
+            along: right.map(|x| x.signed(up)),
+            radius: radius.signed(up),
+            rim: radius,
+            bend,
+        })
     }
     /// Where everything is when the leading angle has changed by this, radians; `None` for a body that the joints do not place.
     ///
@@ -1043,6 +1051,14 @@ impl<'a, T: Real> Layout<'a, T> {
             placed: smallvec![false; self.scene.bodies.len()],
             steps: Steps::new(),
         };
+        // What rods hold fast beside the leading body is placed before it: it turns there on the axle that they hold.
+        for body in (0..self.scene.bodies.len()).filter(|body| *body != self.lead) {
+            if !planner.placed[body]
+                && let Some(step @ (Step::Rod(..) | Step::Pair(..))) = planner.follow(body)
+            {
+                planner.add(body, step);
+            }
+        }
         planner.lead().ok_or(self.lead)?;
         while let Some(next) = planner.placed.iter().position(|placed| !placed) {
             let before = planner.steps.len();

@@ -1,6 +1,6 @@
 //! Words what is known of bodies that are joined in the plane, in the same sections as every other scene.
 use crate::num::elliptic;
-use crate::scene::{Acts, End, Joint, JointKind, Label, Mass, Quantity, Rest, RotaryInertia, Surface};
+use crate::scene::{Acts, End, JointKind, Label, Mass, Quantity, Rest, RotaryInertia, Surface};
 use crate::solution::AGREEMENT_REL;
 use crate::solution::account::of_body;
 use crate::solution::draft::{Detail, is_rate};
@@ -769,8 +769,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         if self.symbols.value(rate).is_nan() {
             return unfound();
         }
-        let rubs = |joint: &Joint| if let JointKind::Guide { mu_k, .. } = joint.kind { mu_k } else { None };
-        let mu = self.scene.joints.iter().find_map(rubs);
+        let mu = self.scene.joints.iter().find_map(|joint| joint.kind.mu_k());
         let mu = mu.map_or(ZERO, |mu| self.number(mu, r"\mu_k", "1"));
         self.say("joined.rubs", &[("rate", &rate), ("mu", &self.tex(&mu))]);
         self.say("joined.rubs_rate", &[("rate", &self.shown(rate))]);

@@ -468,7 +468,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             JointKind::Contact {
                 at,
                 radius_m,
-                surface: Surface::Arc { centre_m, radius_m: arc, inside },
+                surface: Surface::Arc { centre_m, radius_m: arc, inside, .. },
                 rolls,
                 ..
             } if at.body == body => Some((at, radius_m, centre_m, arc, inside, rolls)),
@@ -1591,14 +1591,17 @@ impl<'d, 'a> Plane<'d, 'a> {
                     let line = self.line(line);
                     self.add_hold(j, force, &[(at, vector(&left(&line)))], None);
                     if let Some(mu) = mu_k {
-                        self.rub(j, at, &line, mu, force);
+                        self.rub(j, at, &vector(&line), (mu, ZERO.factors()), force);
                     }
                 }
-                JointKind::Contact { at, radius_m, surface, rolls, teeth } => {
+                JointKind::Contact { at, radius_m, surface, rolls, mu_k, teeth } => {
                     // Teeth press along the rim alone.
                     let normal = (!teeth).then(|| named(self, ["N"; 2], ""));
                     let friction = rolls.then(|| named(self, ["F"; 2], ""));
-                    self.touch(j, [normal, friction], at, radius_m, surface);
+                    let (right, radius) = self.touch(j, [normal, friction], at, radius_m, surface);
+                    if let (Some(mu), Some(normal)) = (mu_k, normal) {
+                        self.rub(j, at, &right, (mu, radius), normal);
+                    }
                 }
                 JointKind::Cord { at, place_m, .. } => {
                     let force = named(self, ["T", "J"], "");
@@ -1637,15 +1640,15 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn touch(
         &mut self,
         joint: usize,
-        [press, rim]: [Option<SymbolId>; 2],
+        [press, grip]: [Option<SymbolId>; 2],
         at: Spot,
         radius_m: Num,
         surface: Surface,
-    ) {
+    ) -> (Vector, Factors) {
         let own = self.number(radius_m, "r", "m").factors();
         let (normal, bend, radius): (Vector, Option<Factors>, Factors) = match surface {
             Surface::Line(line) => (vector(&left(&self.line(line))), None, own),
-            Surface::Arc { centre_m, radius_m: arc, inside } => {
+            Surface::Arc { centre_m, radius_m: arc, inside, .. } => {
                 let arc = self.number(arc, "R", "m").factors();
                 let apart = self.apart(&own, &arc, inside);
                 let out = match self.linked(joint) {
@@ -1665,19 +1668,20 @@ impl<'d, 'a> Plane<'d, 'a> {
         let teeth = press.is_none();
         let up = if teeth { 1.0 } else { pose::upward(right.each_ref().map(|x| self.value(&x.expr()))) };
         let sense = if up < 0.0 { -1 } else { 1 };
-        let (along, radius) = (right.map(|x| x.signed(sense)), radius.signed(sense));
+        let (along, rim) = (right.each_ref().map(|x| x.signed(sense)), radius.signed(sense));
         if let Some(force) = press {
             self.add_hold(joint, force, &[(at, normal)], bend);
         }
-        if let Some(force) = rim {
+        if let Some(force) = grip {
             self.add_hold(joint, force, &[(at, along)], None);
-            let turn = Sum::one(&radius);
+            let turn = Sum::one(&rim);
             if let Some(hold) = self.holds.last_mut() {
                 for (pull, sense) in hold.pulls.iter_mut().zip([1, -1]) {
                     pull.turn = pull.turn.plus(&turn.signed(sense));
                 }
             }
         }
+        (right, radius)
     }
 
     fn add_hold(&mut self, joint: usize, force: SymbolId, ends: &[(Spot, Vector)], toward: Option<Factors>) {
@@ -1697,36 +1701,45 @@ impl<'d, 'a> Plane<'d, 'a> {
                 inward = inward.plus(&product(&v, &v).times(toward));
             }
         }
-        if let (Some(on), [(at, u)]) = (self.scene.joints[joint].kind.carrier(), ends) {
+        if let (Some(on), [(at, u)]) = (self.scene.joints[joint].kind.bearer(), ends) {
             let (point, back) = (self.spot(*at), u.each_ref().map(|x| x.signed(-1)));
             pulls.push(self.pull(on.body, &point, force.factors(), back));
         }
         self.holds.push(Hold { joint, unknown: force, pulls, inward, given: ZERO });
     }
 
-    /// Friction of a guide, against the sense in which its point slides: as the key has it.
-    fn rub(&mut self, joint: usize, at: Spot, line: &[Factors; 2], mu: Num, normal: SymbolId) {
+    /// Friction of a guide, or at the rim of a wheel of this radius, against the sense in which it slides: as the key has it.
+    fn rub(&mut self, joint: usize, at: Spot, line: &Vector, (mu, radius): (Num, Factors), normal: SymbolId) {
         let mu = self.number(mu, r"\mu_k", "1");
         let key = |quantity| self.key(Label { quantity, of: Owner::Joint(joint) });
         let (rubs, presses) = (key(Quantity::Friction).unwrap_or(0.0), key(Quantity::Normal));
-        let up = pose::upward(line.each_ref().map(|f| self.value(&f.expr())));
+        let up = pose::upward(line.each_ref().map(|x| self.value(&x.expr())));
         // Where guides carry it, as it goes.
         let carried = self.gliding().zip(self.glides.as_ref()).map_or(0.0, |([c, s], speed)| {
             -self.value(speed) * (c * self.value(&line[0].expr()) + s * self.value(&line[1].expr()))
         });
         let way = if carried == 0.0 { rubs * up * presses.map_or(1.0, f64::signum) } else { carried };
         let sense = if way < 0.0 { -1 } else { 1 };
-        let along = line.each_ref().map(|f| Sum::one(f.signed(sense)));
+        let along = line.each_ref().map(|x| x.signed(sense));
         let point = self.spot(at);
         let size = mu.factors().times(normal);
-        if let Some(on) = self.scene.joints[joint].kind.carrier() {
+        if let Some(on) = self.scene.joints[joint].kind.bearer() {
             let back = along.each_ref().map(|x| x.signed(-1));
             self.add_pull(on.body, &point, size.clone(), back);
+            self.at_the_rim(&radius, -sense);
         }
         self.add_pull(at.body, &point, size, along);
+        self.at_the_rim(&radius, sense);
         let name = tagged("F", &names::joint(self.scene, joint));
         let force = self.named(&[&name], "N");
         self.frictions.push((joint, force, in_sense(mu * normal, f64::from(sense) * up)));
+    }
+
+    /// The last force acts so far below its point, where the wheel about that touches its surface.
+    fn at_the_rim(&mut self, radius: &Factors, sense: i8) {
+        if let Some(pull) = self.pulls.last_mut() {
+            pull.turn = pull.turn.plus(&Sum::one(radius.signed(sense)));
+        }
     }
 
     /// The angular velocity of a body per unit rate of the leading angle, as its own angle counts.

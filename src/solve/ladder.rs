@@ -40,6 +40,8 @@ pub enum Force {
     /// Likewise, with inertias that change too: bodies joined in the plane. Their balance is not summed by points, and their
     /// accelerations hang on the speed, which velocity Verlet does not allow.
     Joined,
+    /// Not at all, though followed like joined bodies: one that rubs turns in its place.
+    Rubs,
 }
 
 /// What was done, and how well.
@@ -85,7 +87,7 @@ pub fn force(scene: &Scene) -> Force {
     } else if scene.pinned().is_some() {
         Force::Irregular
     } else if scene.lead().is_some() {
-        Force::Joined
+        if scene.spins_in_place() { Force::Rubs } else { Force::Joined }
     } else if scene.goes_in_phases() {
         Force::Switched
     } else if !scene.growths.is_empty() {
@@ -152,7 +154,7 @@ fn values(
 pub fn solve(scene: &Scene, data: &[f64], wish: &Wish) -> Result<(Solved, Taken), Refusal> {
     let mut solved = agree::solve(scene, data)?;
     let force = force(scene);
-    let joined = force == Force::Joined;
+    let joined = matches!(force, Force::Joined | Force::Rubs);
     let irregular = joined || force == Force::Irregular;
     let method = wish.method.unwrap_or(if irregular { Method::Gauss } else { Method::Closed });
     if irregular && method == Method::Closed || joined && method == Method::Verlet {
@@ -378,7 +380,7 @@ fn rungs(force: Force, time_s: Option<f64>) -> Vec<Rung> {
             })
             .collect();
     }
-    let joined = force == Force::Joined;
+    let joined = matches!(force, Force::Joined | Force::Rubs);
     let mut rungs = if joined || force == Force::Irregular {
         vec![Rung::Settled]
     } else {

@@ -424,6 +424,8 @@ pub enum Refusal {
         /// As it follows from the ties and the rest of the start.
         follows: f64,
     },
+    /// At this joint nothing says, or goes on to say, which way kinetic friction points.
+    Friction(usize, Lacks),
     /// The assembly cannot express this combination.
     Unsupported(Unsupported),
     /// An integral over the motion does not settle: its value, and how far halved panels are off it.
@@ -543,10 +545,10 @@ pub fn sides<T: Real>(
             fits = fits && normal(&senses, *j)?.is_none_or(|force| force.signed(side(i)).sign() >= 0.0);
         }
         if fits && found.replace(senses).is_some() {
-            return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
+            return Err(Refusal::Friction(guides[0], Lacks::Side));
         }
     }
-    found.ok_or(Refusal::Unsupported(Unsupported::FrictionTurns))
+    found.ok_or_else(|| Refusal::Friction(guides.first().copied().unwrap_or(0), Lacks::Side))
 }
 
 /// Joints that leave several freedoms place no body on the way; else no way is known to place this one.
@@ -575,24 +577,31 @@ pub fn set_off(slides: &[f64], now: &[f64]) -> Option<SmallVec<[f64; 4]>> {
     more.then(|| both().map(|(before, now)| if *before == 0.0 { *now } else { *before }).collect())
 }
 
-/// Friction that would turn a sliding about holds everything at rest. Errors: it holds a point that another body carries, or one
-/// beside others that slide.
+/// Friction that would turn a sliding about holds everything at rest. Errors: it holds a point that another body carries, or a wheel,
+/// which may roll, or one beside others that slide.
 pub fn holds_still(scene: &Scene, slides: &[f64], now: &[f64]) -> Result<(), Refusal> {
-    let carried = |joint: &Joint| joint.kind.rubs().is_some() && joint.kind.carrier().is_some();
+    let carried = |joint: &Joint| {
+        let wheel = matches!(joint.kind, JointKind::Contact { .. });
+        joint.kind.mu_k().is_some() && (wheel || joint.kind.carrier().is_some())
+    };
     let goes_on = slides.iter().zip(now).any(|(before, now)| before * now > 0.0);
-    if goes_on || scene.joints.iter().any(carried) {
-        return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
+    let rubs = |joint: &Joint| joint.kind.mu_k().is_some();
+    match scene
+        .joints
+        .iter()
+        .position(carried)
+        .or_else(|| scene.joints.iter().position(rubs).filter(|_| goes_on))
+    {
+        Some(joint) => Err(Refusal::Friction(joint, Lacks::Sliding)),
+        None => Ok(()),
     }
-    Ok(())
 }
 
 /// Friction has a sense only where a point slides. Errors: one that rubs is at rest in its guide.
 pub fn all_slide(scene: &Scene, slides: &[f64]) -> Result<(), Refusal> {
-    let stuck = |(joint, sense): (&Joint, &f64)| joint.kind.rubs().is_some() && *sense == 0.0;
-    if scene.joints.iter().zip(slides).any(stuck) {
-        return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
-    }
-    Ok(())
+    let stuck = |(joint, sense): (&Joint, &f64)| joint.kind.mu_k().is_some() && *sense == 0.0;
+    let stuck = scene.joints.iter().zip(slides).position(stuck);
+    stuck.map_or(Ok(()), |joint| Err(Refusal::Friction(joint, Lacks::Sliding)))
 }
 
 impl From<Unsettled> for Refusal {
@@ -610,8 +619,17 @@ pub enum Unsupported {
     Unread,
     /// Bodies that slide and could stay, one on account of what another does.
     SlidesInTurn,
-    /// Friction in a guide fits no side of it or both, or turns about on the way.
-    FrictionTurns,
+}
+
+/// What kinetic friction lacks at a joint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Lacks {
+    /// Nothing slides there at the start, or friction would hold it.
+    Sliding,
+    /// It fits no side of a guide that holds on both, or both.
+    Side,
+    /// It turns about on the way, or the guide presses to its other side.
+    Lasting,
 }
 
 /// What one road says of one quantity.

@@ -167,7 +167,7 @@ fn linkage(slider: bool) -> Scene {
 }
 
 fn cylinder(radius: f64, inside: bool) -> Surface {
-    Surface::Arc { centre_m: [f(0.2), f(0.1)], radius_m: f(radius), inside }
+    Surface::Arc { centre_m: [f(0.2), f(0.1)], radius_m: f(radius), inside, on: None }
 }
 
 /// A wheel of radius 0.4 m whose mass centre is off its axle, on a surface.
@@ -183,11 +183,33 @@ fn rolling(surface: Surface, start: f64, spin: f64, end: f64) -> Scene {
         radius_m,
         surface,
         rolls: true,
+        mu_k: None,
         teeth: false,
     }));
     let turn = Coordinate { body: 0, degree: Degree::Turn };
     scene.start.extend((spin != 0.0).then_some(Start::Speed(turn, f(spin))));
     scene.end = End::Angle(turn, f(end));
+    scene
+}
+
+/// A disc that rubs in a corner, its mass centre off its axle.
+fn in_a_corner() -> Scene {
+    let mut scene = scene(vec![rod("disc", Some(62.0))], Vec::new(), 1.0);
+    let rubs = |direction| {
+        let surface = Surface::Line(line(None, direction));
+        joint(JointKind::Contact {
+            at: spot(0, 0),
+            radius_m: f(0.7),
+            surface,
+            rolls: false,
+            mu_k: Some(f(0.1)),
+            teeth: false,
+        })
+    };
+    scene.joints = vec![rubs(0.0), rubs(-90.0)];
+    let turn = Coordinate { body: 0, degree: Degree::Turn };
+    scene.start.push(Start::Speed(turn, f(3.0)));
+    scene.end = End::Angle(turn, f(70.0));
     scene
 }
 
@@ -525,6 +547,7 @@ fn joined() -> Vec<(&'static str, Scene)> {
         }),
         ("wheel off its centre rolls on a cylinder", rolling(cylinder(0.7, false), 70.0, -2.0, 60.0)),
         ("wheel rolls off a cylinder from rest", rolling(cylinder(0.7, false), 70.0, 0.0, 60.0)),
+        ("disc that rubs in a corner", in_a_corner()),
         ("wheel and bead on a bar that turns", on_a_bar()),
         ("crank in a slotted arm", slotted()),
         ("hoop on a peg", rolling(cylinder(0.15, true), -70.0, -5.0, -100.0)),

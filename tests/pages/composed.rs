@@ -182,8 +182,8 @@ fn every_composed_mechanism_has_a_true_solution() {
     let machine = |seed| joined_lot::machine(seed).map(|(machine, _)| joined_lot::yaml(&machine));
     let (count, short, wrong) = worked(seeds, machine);
     assert!(wrong.is_empty(), "{wrong:#?}");
-    // What is left are springs beside a torsion spring on a pinned body.
-    assert!(count > 20 && 100 * short <= 3 * count, "{short} of {count}");
+    // What is left are springs beside a torsion spring on a pinned body, and rods that hold a wheel which rubs, or brake it.
+    assert!(count > 20 && 100 * short <= 5 * count, "{short} of {count}");
 }
 
 /// Everything that is published of the scenes of the banks, of swings and of throws is worked, not only what they ask.

@@ -6,7 +6,7 @@ use slipstick::problem::maker::Maker;
 use slipstick::scene::pose::Obstacle;
 use slipstick::scene::{End, Scene};
 use slipstick::solve::agree;
-use slipstick::solve::outcome::{CheckKind, Refusal, Solved, Unsupported};
+use slipstick::solve::outcome::{CheckKind, Lacks, Refusal, Solved};
 use std::path::Path;
 
 fn bank() -> Bank {
@@ -1121,7 +1121,7 @@ fn friction_in_a_guide_goes_with_the_magnitude_of_its_normal_force() {
         .replace("at once", "{angle: {of: crank, reaches: 250 deg}}");
     let bank = constants(&past);
     let refused = agree::solve(&bank.problems[0].cases[0].scene, &[9.81]);
-    assert!(matches!(refused, Err(Refusal::Unsupported(Unsupported::FrictionTurns))), "{refused:?}");
+    assert!(matches!(refused, Err(Refusal::Friction(_, Lacks::Lasting))), "{refused:?}");
 }
 
 /// A compound pendulum of a rod and a sphere welded to its end, from level: `w^2 = 2 g (m_1 h_1 + m_2 h_2) / I`.
@@ -1218,7 +1218,7 @@ fn friction_that_turns_about_is_refused_by_name() {
     let refused = |start: &str, end: &str| {
         let text = slots("", pull, start, end);
         let (scene, _) = scene(&text, "p");
-        matches!(agree::solve(scene, &[2.0, 9.81]), Err(Refusal::Unsupported(Unsupported::FrictionTurns)))
+        matches!(agree::solve(scene, &[2.0, 9.81]), Err(Refusal::Friction(_, Lacks::Lasting)))
     };
     // At 90 degrees the end A is farthest out and turns back.
     assert!(refused("angle: 40 deg, spin: 9 rad/s", "{angle: {of: rod, reaches: 120 deg}}"));

@@ -59,9 +59,19 @@ pub enum Hold {
     /// Point and place; is it a light rod, which pushes too?
     Cord(Spot, V2, bool),
     /// Centre, radius, does it roll; a line, the left side of which is free.
-    Line(Spot, f64, bool, V2, f64),
-    /// The same on a cylinder: its axis and its radius, and is the body inside, or a hoop about it?
-    Arc(Spot, f64, bool, V2, f64, bool),
+    Line(Spot, f64, bool, V2, f64, Option<f64>),
+    /// The same on a cylinder: its axis and its radius, and is the body inside, or a hoop about it? Friction, and what turns with it.
+    Arc(Spot, f64, bool, V2, f64, bool, (Option<f64>, Option<Spot>)),
+}
+
+impl Hold {
+    /// Coefficient of kinetic friction.
+    pub const fn mu(&self) -> Option<f64> {
+        match *self {
+            Self::Guide(.., mu) | Self::Line(.., mu) | Self::Arc(.., (mu, _)) => mu,
+            _ => None,
+        }
+    }
 }
 
 pub enum Load {
@@ -251,20 +261,33 @@ impl Machine {
                 let word = if *rod { "links" } else { "ties" };
                 format!("{word}: {}, to: {}", self.spot_text(*at), self.place(lot, *place))
             }
-            Hold::Line(at, radius, rolls, through, direction) => {
+            Hold::Line(at, radius, rolls, through, direction, mu) => {
                 let direction = self.number(lot, *direction, 0, "deg");
                 let text = self.touching(lot, *at, *radius, *rolls);
-                format!("{text}, along: {direction}, through: {}", self.place(lot, *through))
+                let text = format!("{text}, along: {direction}, through: {}", self.place(lot, *through));
+                self.rough(lot, text, *mu)
             }
-            Hold::Arc(at, radius, rolls, axis, arc, inside) => {
+            Hold::Arc(at, radius, rolls, axis, arc, inside, (mu, drum)) => {
                 let text = self.touching(lot, *at, *radius, *rolls);
                 let side = if *inside { "inside" } else { "outside" };
                 let arc = self.number(lot, *arc, 2, "m");
-                format!("{text}, {side}: {arc}, axis: {}", self.place(lot, *axis))
+                // The pin of a drum has to be told by the same numbers.
+                let text = match drum {
+                    Some(on) => {
+                        let [x, y] = axis;
+                        let on = self.spot_text(*on);
+                        format!("{text}, {side}: {arc}, axis: [{x:.2} m, {y:.2} m], on: {on}")
+                    }
+                    None => format!("{text}, {side}: {arc}, axis: {}", self.place(lot, *axis)),
+                };
+                self.rough(lot, text, *mu)
             }
         };
         self.joint_text.push(format!("{name}: {{{text}}}"));
         self.holds.push(hold);
+    }
+    fn rough(&mut self, lot: &mut Lot, text: String, mu: Option<f64>) -> String {
+        mu.map_or_else(|| text.clone(), |mu| format!("{text}, mu_k: {}", self.number(lot, mu, 2, "1")))
     }
     fn touching(&mut self, lot: &mut Lot, at: Spot, radius: f64, rolls: bool) -> String {
         let word = if rolls { "rolls" } else { "slides" };
@@ -336,7 +359,12 @@ pub fn machine(seed: u64) -> Option<(Machine, Lot)> {
         start_text: Vec::new(),
         data: Vec::new(),
     };
-    let at_once = match if seed % 8 == 5 { 11 } else { l.below(11) } {
+    let picked = match seed % 8 {
+        3 => 12,
+        5 => 11,
+        _ => l.below(11),
+    };
+    let at_once = match picked {
         0 => slots(&mut m, l)?,
         1 => ladder(&mut m, l),
         2 => on_a_floor(&mut m, l),
@@ -346,13 +374,14 @@ pub fn machine(seed: u64) -> Option<(Machine, Lot)> {
         7 => on_a_line(&mut m, l),
         8 | 9 => on_a_cylinder(&mut m, l),
         11 => on_links(&mut m, l)?,
+        12 => rubbing(&mut m, l)?,
         _ => let_go(&mut m, l),
     };
     if l.in_100(20) {
         weld(&mut m, l);
     }
     loads(&mut m, l);
-    if l.in_100(40) && m.kind != "let go" && m.bodies[m.lead].turns {
+    if l.in_100(if picked == 12 { 85 } else { 40 }) && m.kind != "let go" && m.bodies[m.lead].turns {
         m.spin = grid(l, -6.0, 6.0, 1);
     }
     let angle = m.number(l, m.angle, 0, "deg");
@@ -534,7 +563,7 @@ fn on_a_line(m: &mut Machine, l: &mut Lot) -> bool {
     let through = place(l);
     let centre = plus(through, radius, quarter(unit(radians(direction))));
     m.put(0, on(0.0), centre, m.axis(m.angle));
-    m.hold(l, Hold::Line((0, on(0.0)), radius, true, through, direction));
+    m.hold(l, Hold::Line((0, on(0.0)), radius, true, through, direction, None));
     false
 }
 
@@ -565,8 +594,94 @@ fn on_a_cylinder(m: &mut Machine, l: &mut Lot) -> bool {
     let centre = plus(axis, apart, unit(out));
     // Its own axis stands at this angle too, at the start.
     m.put(0, on(0.0), centre, if rolls { out } else { 0.0 });
-    m.hold(l, Hold::Arc((0, on(0.0)), radius, rolls, axis, arc, inside));
+    let mu = (!rolls).then(|| grid(l, 0.02, 0.6, 2)).filter(|_| l.in_100(50));
+    m.hold(l, Hold::Arc((0, on(0.0)), radius, rolls, axis, arc, inside, (mu, None)));
     false
+}
+
+/// A wheel that rubs where it is held: in a corner, on a line at the end of a rod or of a link; or a drum that a lever or a wheel on it
+/// brakes.
+fn rubbing(m: &mut Machine, l: &mut Lot) -> Option<bool> {
+    m.kind = "rubbing";
+    wheel(m, l, true);
+    let hub = (0, on(0.0));
+    let rough = |l: &mut Lot| l.in_100(80).then(|| grid(l, 0.05, 0.7, 2));
+    let radius = grid(l, 0.1, 0.6, 2);
+    let directions = [0.0, -90.0, 90.0, grid(l, -60.0, 60.0, 0)];
+    let (direction, through) = (l.of(&directions), place(l));
+    let along = unit(radians(direction));
+    let above = plus(through, radius, quarter(along));
+    match l.below(4) {
+        0 => {
+            let (other, beyond, mu) = (grid(l, -180.0, 180.0, 0), place(l), rough(l));
+            let across = unit(radians(other));
+            let sine = dot(quarter(along), across);
+            if sine.abs() < 0.3 {
+                return None;
+            }
+            let far = plus(beyond, radius, quarter(across));
+            let ahead = dot(plus(far, -1.0, above), quarter(across)) / dot(along, quarter(across));
+            m.put(0, on(0.0), plus(above, ahead, along), m.axis(m.angle));
+            m.hold(l, Hold::Line(hub, radius, false, through, direction, mu));
+            let mu = rough(l);
+            m.hold(l, Hold::Line(hub, radius, false, beyond, other, mu));
+        }
+        1 => {
+            let (reach, pin, behind) = (grid(l, 0.3, 2.0, 2), place(l), l.in_100(50));
+            bar(m, l, reach, false, if behind { ", side: behind" } else { "" });
+            let away = plus(above, -1.0, pin);
+            let aside = dot(away, quarter(along));
+            if aside.abs() > 0.9 * reach {
+                return None;
+            }
+            let ahead = libm::sqrt(reach * reach - aside * aside) * if behind { -1.0 } else { 1.0 };
+            let centre = plus(plus(pin, ahead, along), aside, quarter(along));
+            m.put(0, on(0.0), centre, m.axis(m.angle));
+            m.put(1, on(0.0), pin, libm::atan2(centre[1] - pin[1], centre[0] - pin[0]));
+            m.hold(l, Hold::Pin((1, on(0.0)), pin));
+            m.hold(l, Hold::Hinge((1, on(reach)), hub));
+            let mu = rough(l);
+            m.hold(l, Hold::Line(hub, radius, false, through, direction, mu));
+        }
+        2 => {
+            let direction = l.of(&directions[..3]);
+            let foot = plus(through, -radius, quarter(unit(radians(direction))))
+                .map(|x| (x * 100.0).round() / 100.0);
+            let text = format!(", placed: [{:.2} m, {:.2} m]", through[0], through[1]);
+            let last = m.body_text.pop()?;
+            m.body_text.push(format!("{}{text}}}", &last[..last.len() - 1]));
+            m.put(0, on(0.0), through, m.axis(m.angle));
+            let far = place(l);
+            if length(plus(far, -1.0, through)) < 0.2 {
+                return None;
+            }
+            let mu = rough(l);
+            m.hold(l, Hold::Line(hub, radius, false, foot, direction, mu));
+            let rod = l.in_100(70);
+            m.hold(l, Hold::Cord(hub, far, rod));
+        }
+        _ => {
+            let (reach, pin, axle) = (grid(l, 0.3, 2.0, 2), place(l), through);
+            bar(m, l, reach, false, "");
+            let apart = plus(axle, -1.0, pin);
+            let d = length(apart);
+            let along = (reach * reach - radius * radius + d * d) / (2.0 * d);
+            let square = reach * reach - along * along;
+            if !(square > 0.02 * reach * reach) {
+                return None;
+            }
+            // By default on the left of the line from its pin to the axle.
+            let e = apart.map(|x| x / d);
+            let shoe = plus(plus(pin, along, e), libm::sqrt(square), quarter(e));
+            m.put(0, on(0.0), axle, m.axis(m.angle));
+            m.put(1, on(0.0), pin, libm::atan2(shoe[1] - pin[1], shoe[0] - pin[0]));
+            m.plain_pin(hub, axle);
+            m.hold(l, Hold::Pin((1, on(0.0)), pin));
+            let mu = rough(l);
+            m.hold(l, Hold::Arc((1, on(reach)), 0.0, false, axle, radius, false, (mu, Some(hub))));
+        }
+    }
+    Some(false)
 }
 
 /// Two light rods or cords to fixed places, or one and a guide.
@@ -647,6 +762,12 @@ fn weld(m: &mut Machine, l: &mut Lot) {
 }
 
 impl Machine {
+    /// A pin of which the place is told in numbers.
+    fn plain_pin(&mut self, at: Spot, place: V2) {
+        let (name, [x, y]) = (self.holds.len() + 1, place);
+        self.joint_text.push(format!("j{name}: {{pins: {}, at: [{x:.2} m, {y:.2} m]}}", self.spot_text(at)));
+        self.holds.push(Hold::Pin(at, place));
+    }
     /// Strikes a point of it at the start.
     pub fn strike(&mut self, lot: &mut Lot) {
         let body = lot.below(self.bodies.len());

@@ -92,16 +92,18 @@ impl<'m> Judge<'m> {
                     let across = dot(self.velocity(q, v, at), quarter(e));
                     add(self.row(q, v, at, e), across * across / l, None);
                 }
-                Hold::Line(at, radius, rolls, _, direction) => {
+                Hold::Line(at, radius, rolls, _, direction, _) => {
                     let t = unit(radians(direction));
-                    add(self.row(q, v, at, quarter(t)), 0.0, None);
+                    let normal = self.row(q, v, at, quarter(t));
+                    let force = self.reaction(q, j, senses[j]);
+                    add(normal, 0.0, force);
                     if rolls {
                         let (mut row, own) = self.row(q, v, at, t);
                         row[3 * at.0 + 2] += radius;
                         add((row, own), 0.0, None);
                     }
                 }
-                Hold::Arc(at, radius, rolls, axis, arc, inside) => {
+                Hold::Arc(at, radius, rolls, axis, arc, inside, _) => {
                     let out = plus(self.place(q, at), -1.0, axis);
                     let (d, e) = (length(out), out.map(|x| x / length(out)));
                     // The surface pushes outward, or inward; a hoop lies on its peg with the inner side of its top.
@@ -109,7 +111,8 @@ impl<'m> Judge<'m> {
                     let along = [normal[1], -normal[0]];
                     let speed = dot(self.velocity(q, v, at), along);
                     let bend = if inside { speed * speed / d } else { -speed * speed / d };
-                    add(self.row(q, v, at, normal), bend, None);
+                    let force = self.reaction(q, j, senses[j]);
+                    add(self.row(q, v, at, normal), bend, force);
                     if rolls {
                         let (mut row, own) = self.row(q, v, at, along);
                         row[3 * at.0 + 2] += if inside && radius > arc { -radius } else { radius };
@@ -119,6 +122,46 @@ impl<'m> Judge<'m> {
             }
         }
         list
+    }
+    /// What slides at a surface, what turns under it, where they touch and the normal there.
+    fn contact(&self, q: &[f64], joint: usize) -> Option<(usize, Option<usize>, V2, V2)> {
+        let (at, radius, under, normal) = match self.m.holds[joint] {
+            Hold::Line(at, radius, false, _, direction, _) => {
+                (at, radius, None, quarter(unit(radians(direction))))
+            }
+            Hold::Arc(at, radius, false, axis, _, inside, (_, drum)) => {
+                let out = plus(self.place(q, at), -1.0, axis);
+                let e = out.map(|x| if inside { -x } else { x } / length(out));
+                (at, radius, drum, e)
+            }
+            _ => return None,
+        };
+        Some((at.0, under.map(|drum| drum.0), plus(self.place(q, at), -radius, normal), normal))
+    }
+    /// What a unit of the normal force of a surface does to all bodies, with its friction.
+    fn reaction(&self, q: &[f64], joint: usize, sense: f64) -> Option<Vec<f64>> {
+        let (body, under, foot, normal) = self.contact(q, joint)?;
+        let by = self.m.holds[joint].mu().unwrap_or(0.0) * sense;
+        let force = plus(normal, by, quarter(normal));
+        let mut row = vec![0.0; self.n];
+        for (b, side) in [(Some(body), 1.0), (under, -1.0)] {
+            let Some(b) = b.map(|b| 3 * b) else { continue };
+            let arm = plus(foot, -1.0, [q[b], q[b + 1]]);
+            row[b] = side * force[0];
+            row[b + 1] = side * force[1];
+            row[b + 2] = side * dot(force, quarter(arm));
+        }
+        Some(row)
+    }
+    /// How fast what rubs slides to the right of the normal.
+    fn slip(&self, q: &[f64], v: &[f64], joint: usize) -> Option<f64> {
+        let (body, under, foot, normal) = self.contact(q, joint)?;
+        let moves = |b: usize| {
+            let arm = plus(foot, -1.0, [q[3 * b], q[3 * b + 1]]);
+            plus([v[3 * b], v[3 * b + 1]], v[3 * b + 2], quarter(arm))
+        };
+        let from = under.map_or([0.0; 2], moves);
+        Some(-dot(plus(moves(body), -1.0, from), quarter(normal)))
     }
     /// Tension of a spring, and the unit vector from its near to its far end.
     fn spring(&self, q: &[f64], load: &Load) -> Option<(f64, V2)> {
@@ -427,19 +470,19 @@ impl<'m> Judge<'m> {
                 let side = if pushes { 1.0 } else { forces[first[j]].signum() };
                 slides[j] * side == senses[j]
             }
-            _ => true,
+            ref hold => hold.mu().is_none() || slides[j] == senses[j],
         })
     }
     /// Senses in which points slide that rub, by these velocities (or accelerations from rest).
     fn senses(&self, q: &[f64], v: &[f64]) -> Vec<f64> {
-        let sense = |hold: &Hold| match *hold {
-            Hold::Guide(at, _, direction, _, Some(_)) => {
-                let along = dot(self.velocity(q, v, at), unit(radians(direction)));
-                if along == 0.0 { 0.0 } else { along.signum() }
-            }
-            _ => 0.0,
+        let sense = |(j, hold): (usize, &Hold)| {
+            let along = match *hold {
+                Hold::Guide(at, _, direction, ..) => dot(self.velocity(q, v, at), unit(radians(direction))),
+                _ => self.slip(q, v, j).unwrap_or(0.0),
+            };
+            if along == 0.0 || hold.mu().is_none() { 0.0 } else { along.signum() }
         };
-        self.m.holds.iter().map(sense).collect()
+        self.m.holds.iter().enumerate().map(sense).collect()
     }
     /// Least of the forces that can only push, and its joint; infinite where there is none.
     fn least(&self, forces: &[f64]) -> (f64, usize) {
@@ -597,7 +640,7 @@ impl Judge<'_> {
     fn verdict(&self) -> Verdict {
         let m = self.m;
         let sense = m.bodies[m.lead].sense;
-        let rough = m.holds.iter().any(|h| matches!(h, Hold::Guide(.., Some(_))));
+        let rough = m.holds.iter().any(|h| h.mu().is_some());
         if m.end == Ending::Equilibrium {
             return if rough { Verdict::Beyond("friction at rest") } else { self.equilibrium() };
         }
@@ -640,8 +683,15 @@ impl Judge<'_> {
             return Verdict::Beyond("conditions that depend on each other");
         };
         let slides = self.senses(&m.start, if still { &free } else { &v });
+        // What nothing sets off does not say which way it would rub.
+        let settled = |j: usize| {
+            m.holds[j].mu().is_some() && self.slip(&m.start, &free, j).is_some_and(|a| a.abs() < 1e-9)
+        };
+        if still && (0..m.holds.len()).any(settled) {
+            return Verdict::Beyond("nothing slides at a rough joint");
+        }
         let slow = if still { &free } else { &v }.iter().all(|x| x.abs() < 1e-9);
-        if m.alpha.is_some() && slow && m.holds.iter().any(|h| matches!(h, Hold::Guide(.., Some(_)))) {
+        if m.alpha.is_some() && slow && m.holds.iter().any(|h| h.mu().is_some()) {
             return Verdict::Beyond("friction that does not slide");
         }
         let Some(senses) = self.rubbing(&m.start, &v, &slides) else { return Verdict::Beyond("friction") };
@@ -983,11 +1033,17 @@ fn compare(m: &Machine, solved: &Solved, end: &End) -> Result<(), String> {
                     let u = unit(radians(direction));
                     (-mu * forces[first[j]] * senses[j] * up(u), pulls)
                 }
-                Hold::Line(.., direction) => (answers[first[j] + 1] * up(unit(radians(direction))), most),
-                Hold::Arc(at, _, _, axis, _, inside) => {
+                Hold::Line(.., direction, Some(mu)) => {
+                    (-mu * forces[first[j]] * senses[j] * up(unit(radians(direction))), pulls)
+                }
+                Hold::Line(.., direction, None) => {
+                    (answers[first[j] + 1] * up(unit(radians(direction))), most)
+                }
+                Hold::Arc(at, _, _, axis, _, inside, (mu, _)) => {
                     let out = plus(judge.place(q, at), -1.0, axis);
                     let right = if inside { [-out[1], out[0]] } else { [out[1], -out[0]] };
-                    (answers[first[j] + 1] * up(right), most)
+                    let rubs = mu.map(|mu| -mu * forces[first[j]] * senses[j]);
+                    (rubs.unwrap_or_else(|| answers[first[j] + 1]) * up(right), most)
                 }
                 _ => (answers[first[j] + 1], most),
             },

@@ -45,6 +45,7 @@ mod quantities;
 mod range;
 mod reference_cases;
 mod rest;
+mod rubbing;
 mod seed_sweep;
 mod swing_extremes;
 mod swings;

@@ -277,16 +277,17 @@ impl SceneReader<'_> {
         };
         let [outside, inside, along, on] = fields.each(["outside", "inside", "along", "on"]);
         let mu_k = if rolls { Some(None) } else { self.optional(fields, "mu_k", Need::FRICTION) };
-        let surface = match (outside, inside, on.or(along)) {
-            (Some(n), None, None) | (None, Some(n), None) => {
+        let surface = match (outside, inside, along) {
+            (Some(n), None, None) | (None, Some(n), None) if !rolls || on.is_none() => {
                 let centre = self.ground(fields.get("axis"));
                 let arc = self.number(n, Need::RADIUS);
-                centre.zip(arc).map(|(centre_m, radius_m)| {
+                let on = on.map_or(Some(None), |n| self.spot(n, bodies).map(Some));
+                centre.zip(arc).zip(on).map(|((centre_m, radius_m), on)| {
                     let inside = inside.is_some();
-                    Surface::Arc { centre_m, radius_m, inside }
+                    Surface::Arc { centre_m, radius_m, inside, on }
                 })
             }
-            (None, None, Some(_)) => self.straight((on, along), fields, bodies).map(Surface::Line),
+            (None, None, _) if on.or(along).is_some() => self.straight((on, along), fields, bodies).map(Surface::Line),
             _ => f.refuse_with(
                 node,
                 "it has to say on what it rolls or slides",
@@ -295,15 +296,10 @@ impl SceneReader<'_> {
         };
         let (at, radius_m, surface, mu_k) = (at?, radius?, surface?, mu_k?);
         match (surface, mu_k) {
-            (_, None) => Some(JointKind::Contact { at, radius_m, surface, rolls, teeth }),
-            (Surface::Line(line), _) if radius_m == Num::Fixed(0.0) => {
+            (Surface::Line(line), Some(_)) if radius_m == Num::Fixed(0.0) => {
                 Some(JointKind::Guide { at, line, reversed: false, one_sided: true, mu_k })
             }
-            _ => f.refuse_with(
-                node,
-                "only a point rubs, on a straight line",
-                "remove `mu_k`, or let a point of the body slide without `radius`",
-            ),
+            _ => Some(JointKind::Contact { at, radius_m, surface, rolls, mu_k, teeth }),
         }
     }
 

@@ -89,8 +89,11 @@ struct Account<'a, T: Real> {
     meets: SmallVec<[T; 4]>,
     /// Sense in which the leading angle changes.
     sense: f64,
-    /// The first step in which events are looked for, radians.
+    /// The first step in which events are looked for, radians, and the widest one.
     stride: f64,
+    widest: f64,
+    /// How far it is looked for an end.
+    horizon: T,
     /// Is it a body on a pin, of which all is told as its own, and what has it in closed form?
     pinned: bool,
     pendulum: Option<Pendulum<T>>,
@@ -160,6 +163,11 @@ fn least<T: Real>(one: T, other: &T) -> T {
 }
 fn dot<T: Real>(a: Vector<T>, b: Vector<T>) -> T {
     a[0] * b[0] + a[1] * b[1]
+}
+
+/// A quarter turn to the right.
+fn right<T: Real>([x, y]: Vector<T>) -> Vector<T> {
+    [y, -x]
 }
 
 /// Moment of a unit vector at a point of a body about the origin of its axis.
@@ -260,6 +268,14 @@ impl<T: Real> Account<'_, T> {
             let step = swing.f64() / STRETCHED;
             T::leading(|| if stiff.sign() > 0.0 { step.clamp(STEP * 1e-12, STEP) } else { STEP })
         });
+        if scene.spins_in_place() {
+            // Nothing changes until its energy has become heat: no step is too wide.
+            if sets_off.sign() < 0.0 {
+                self.horizon = -(spin.square() / sets_off);
+            }
+            self.widest = f64::max(STEP, self.far().abs().f64() / 8.0);
+            self.stride = self.widest;
+        }
         let drive = (free.force.signed(self.sense), rubbed.force.signed(self.sense));
         self.meets = ball::unwatched(|| self.springs_met(false));
         if matches!(scene.end, End::Angle(..)) {
@@ -292,6 +308,8 @@ impl<'a, T: Real> Account<'a, T> {
             meets: SmallVec::new(),
             sense: 1.0,
             stride: STEP,
+            widest: STEP,
+            horizon: T::zero(),
             pinned: false,
             pendulum: None,
             slides: scene.joints.iter().map(|_| 0.0).collect(),
@@ -304,6 +322,7 @@ impl<'a, T: Real> Account<'a, T> {
             looked: Cell::new(0),
             points: None,
         };
+        account.horizon = account.layout.horizon();
         let poses = account.placed()?;
         for (s, strut) in scene.struts.iter().enumerate() {
             account.relaxed.push(account.layout.relaxed(strut).ok_or(Refusal::Freedoms(2))?);
@@ -441,8 +460,16 @@ impl<'a, T: Real> Account<'a, T> {
     fn sliding(&self, poses: &Poses<T>, motion: &Motion<T>) -> SmallVec<[f64; 4]> {
         let sense = |(j, joint): (usize, &Joint)| {
             let Some((at, _)) = joint.kind.rubs() else { return 0.0 };
-            let (u, v) = (self.line(poses, j), self.of_spot(poses, motion, at));
-            let from = joint.kind.carrier().map_or([T::zero(); 2], |on| self.of_spot(poses, motion, on));
+            let (place, line) = (self.point(poses, at).map(|x| x.value), self.line(poses, j));
+            let Some(touch) = self.layout.touch(j, place, line) else { return 0.0 };
+            // Where they touch, each as it moves there.
+            let foot = [0, 1].map(|i| place[i] - touch.rim * touch.normal[i]);
+            let moves = |body: usize| {
+                let (origin, [x, y, turn]) = (poses[body].origin.map(|x| x.value), motion[body]);
+                [x.balance(-(turn * (foot[1] - origin[1]))), y.balance(turn * (foot[0] - origin[0]))]
+            };
+            let (u, v) = (right(touch.normal), moves(at.body));
+            let from = joint.kind.bearer().map_or([T::zero(); 2], |on| moves(on.body));
             (v[0].balance(-from[0]) * u[0]).balance(v[1].balance(-from[1]) * u[1]).sign()
         };
         self.scene.joints.iter().enumerate().map(sense).collect()
@@ -483,14 +510,14 @@ impl<'a, T: Real> Account<'a, T> {
         };
         let mut count = 0;
         for (j, (joint, rubs)) in self.scene.joints.iter().zip(&self.rubs).enumerate() {
-            let (mut rim, [rolls, teeth]) = (T::zero(), joint.kind.rolls());
+            let (mut rim, mut below, [rolls, teeth]) = (T::zero(), T::zero(), joint.kind.rolls());
             let ground: Option<(Spot, SmallVec<[Vector<T>; 2]>)> = match joint.kind {
                 JointKind::Pin { at, .. } => {
                     Some((at, smallvec![[T::of(1.0), T::zero()], [T::zero(), T::of(1.0)]]))
                 }
                 JointKind::Guide { at, .. } | JointKind::Contact { at, .. } => {
-                    let rub = match joint.kind {
-                        JointKind::Guide { mu_k: Some(mu), .. } if virtually && *rubs != 0.0 => {
+                    let rub = match joint.kind.mu_k() {
+                        Some(mu) if virtually && *rubs != 0.0 => {
                             plant!("energy: friction in a guide", self.n.get(mu)).signed(*rubs)
                         }
                         _ => T::zero(),
@@ -498,6 +525,7 @@ impl<'a, T: Real> Account<'a, T> {
                     let centre = self.point(poses, at).map(|x| x.value);
                     self.layout.touch(j, centre, self.line(poses, j)).map(|touch| {
                         rim = plant!("energy: radius of a rolling wheel", touch.radius);
+                        below = -(rub * plant!("energy: radius at which a wheel rubs", touch.rim));
                         let [x, y] = touch.normal;
                         let both = [[x - rub * y, y + rub * x], touch.along];
                         (at, both[usize::from(teeth)..1 + usize::from(rolls)].iter().copied().collect())
@@ -522,8 +550,8 @@ impl<'a, T: Real> Account<'a, T> {
                 };
                 for (spot, u, rim) in ends {
                     end(spot.body, pose::of_spot(self.scene, self.n, *spot), *u, *rim);
-                    if let Some(on) = joint.kind.carrier() {
-                        // What carries the line moves under it, at the same place.
+                    if let Some(on) = joint.kind.bearer() {
+                        // What carries the line, or turns under it, moves at the same place.
                         let place = self.point(poses, *spot).map(|x| x.value);
                         let back = u.map(|x| plant!("energy: velocity of what carries a line", -x));
                         end(on.body, poses[on.body].here().within(place), back, -*rim);
@@ -538,11 +566,11 @@ impl<'a, T: Real> Account<'a, T> {
                     let far = tight(to, place_m).map(|x| plant!("energy: other end of a cord", x));
                     add(&[(at, directions[0], T::zero()), (to, far, T::zero())]);
                 }
-                // The last condition of a wheel that rolls is that its rim does not slip.
+                // The last condition of a wheel that rolls is that its rim does not slip; where it slips, friction acts at the rim.
                 (Some((at, directions)), _) => {
                     for (i, u) in directions.iter().enumerate() {
                         let slips = rolls && i + 1 == directions.len();
-                        add(&[(at, *u, if slips { rim } else { T::zero() })]);
+                        add(&[(at, *u, if slips { rim } else { below })]);
                     }
                 }
                 (None, JointKind::Hinge { one, other, turned_deg }) => {
@@ -744,13 +772,17 @@ impl<'a, T: Real> Account<'a, T> {
         Ok((push, hold))
     }
 
+    /// How far it goes to its end, or is looked for it.
+    fn far(&self) -> T {
+        self.layout
+            .to_end_deg()
+            .map_or(self.horizon, |apart| (apart * T::constant(Dd::PI / Dd::new(180.0))).signed(self.sense))
+    }
+
     fn settle(&self, spin: T, drive: (T, T), (wanted, road): (Scope, &mut Road<T>)) -> Result<(), Refusal> {
         let scene = self.scene;
         let from = spin.square().scale2(-1);
-        let mut far = self.layout.horizon();
-        if let Some(apart) = self.layout.to_end_deg() {
-            far = (apart * T::constant(Dd::PI / Dd::new(180.0))).signed(self.sense);
-        }
+        let mut far = self.far();
         let limit = ball::unwatched(|| self.overruns((far + T::of(STEP), T::of(STEP))));
         let limit = limit.filter(|(limit, _)| limit.at_most(far));
         // Short of half a turn of a torsion spring, beside which its moment has two signs, and of a pulley.

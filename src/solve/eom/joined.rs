@@ -13,14 +13,14 @@ use crate::num::gauss::{self, PerNode, Rule, Unsettled};
 use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, root, trig};
-use crate::scene::{End, Joint, Numbers, Owner, Quantity, Scene, Spot};
+use crate::scene::{End, Numbers, Owner, Quantity, Scene};
 use crate::solve::eom::integrate::{Event, Route, pace};
 use crate::solve::eom::pendulum::Pendulum;
-use crate::solve::eom::planar::{LOOKED_THROUGH, Mechanism, Response, State};
+use crate::solve::eom::planar::{LOOKED_THROUGH, Mechanism, Rates, Response, State};
 use crate::solve::eom::travel;
 use crate::solve::eom::{STEPS, Steps};
 use crate::solve::method::Rung;
-use crate::solve::outcome::{self, Course, Held, Refusal, Road, Scope, Unsupported};
+use crate::solve::outcome::{self, Course, Held, Lacks, Refusal, Road, Scope};
 use smallvec::SmallVec;
 use std::cell::RefCell;
 
@@ -76,6 +76,8 @@ struct Motion<'m, 'a, T: Real> {
     fine: Fine,
     /// Is the time asked for, or where it is at a time?
     timed: bool,
+    /// Does nothing change on the way, so that no part of it is too long?
+    steady: bool,
 }
 
 /// The panels of a motion, and the shares below which the last Legendre coefficients of its rate and of its time are smooth.
@@ -122,8 +124,8 @@ struct Panel<T> {
     times: PerNode<T>,
     /// For each joint that can only push or rubs: its normal force at the nodes.
     pushes: Watched<T>,
-    /// Do all points that rub slide as at the start, at the nodes?
-    slides_on: PerNode<bool>,
+    /// What no longer slides as at the start, at the nodes.
+    turned_back: PerNode<Option<usize>>,
     /// How far the last coefficients are above what is smooth.
     rough: f64,
     /// The same of the time.
@@ -153,6 +155,8 @@ type Watched<T> = SmallVec<[(usize, PerNode<T>); 2]>;
 /// Sees a panel and what the rate has come to at its start; true ends the march.
 type Visit<'v, T> = dyn FnMut(&Panel<T>, Gain<T>) -> Result<bool, Refusal> + 'v;
 
+/// What is asked of the end and where the motion starts in its measure; how far at most it is looked for; half a square of the rate.
+type Wanted<T> = ((Option<T>, T), T, Option<T>);
 /// What bodies do with these senses of friction.
 type Responds<'r, T> = dyn Fn(&[f64]) -> Result<Response<T>, Refusal> + 'r;
 
@@ -202,8 +206,8 @@ enum Why {
     Speed,
     /// This joint no longer pushes.
     Leaves(usize),
-    /// A point that rubs turns back in its guide, or presses on its other side: not before here, or as if it had not.
-    Turns,
+    /// What rubs at this joint turns back, or presses on the other side of its guide: not before here, or as if it had not.
+    Turns(usize),
 }
 
 /// What the equations of motion say of what is asked in a scene of joined bodies; with the state at its end from the steps of a
@@ -261,7 +265,7 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
     };
     let first = a.balance(b * spin.square()).cleared(turning);
     let sense = if spin.is_zero() { first.sign() } else { spin.sign() };
-    let slides = sliding(mechanism, &state, &|at| mechanism.speed(&state, at).map(|v| v.signed(sense)));
+    let slides = sliding(mechanism, &state, (mechanism.moving(&state), sense));
     let rubs = rubbing(mechanism, &slides, spin.square(), &|rubs| mechanism.respond(&state, rubs))?;
     let rubbed = slides.iter().any(|s| *s != 0.0);
     let factor = if rubbed { T::of(1.0) } else { mechanism.inertia(&state) };
@@ -276,6 +280,7 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
         meets: mechanism.meets(sense, (mechanism.horizon(), look())),
         pendulum: teller.pendulum(&state, sense, spin),
         fine: Fine::of::<T>(scene, false),
+        steady: scene.spins_in_place(),
         timed: teller.asked.quantities.has(Quantity::T) || matches!(scene.end, End::Time(..)),
     };
     // Friction may hold what would set off without it.
@@ -293,22 +298,16 @@ fn look<T: Real>() -> T {
     T::of(STRIDE / 16.0)
 }
 
-/// The senses in which points slide in guides that rub, by their velocities (or accelerations from rest).
+/// The senses in which points slide in guides that rub, and wheels at surfaces, by the velocities (or accelerations from rest) of mass
+/// centres and turns, and this sense.
 fn sliding<T: Real>(
     mechanism: &Mechanism<T>,
     state: &State<T>,
-    moves: &dyn Fn(Spot) -> [T; 2],
+    (moves, sense): (&Rates<T>, f64),
 ) -> SmallVec<[f64; 4]> {
-    let of = |(j, joint): (usize, &Joint)| {
-        let Some((at, _)) = joint.kind.rubs() else { return 0.0 };
-        let [c, s] = mechanism.line(state, j);
-        let [x, y] = moves(at);
-        let along = (x * c).balance(y * s);
-        // A turn of what carries the line has no part along it.
-        let Some([x, y]) = joint.kind.carrier().map(moves) else { return along.sign() };
-        along.balance(-(x * c)).balance(-(y * s)).sign()
-    };
-    mechanism.scene.joints.iter().enumerate().map(of).collect()
+    let joints = mechanism.scene.joints.iter().enumerate();
+    let slip = |j: usize| mechanism.slip(state, j, moves).sign() * sense;
+    joints.map(|(j, joint)| if joint.kind.mu_k().is_some() { slip(j) } else { 0.0 }).collect()
 }
 
 /// The senses of friction per normal force: those of sliding, turned about where a guide that holds on both sides presses to its
@@ -390,10 +389,10 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let response = self.mechanism.respond(&state, &self.rubs)?;
         Ok((state, response))
     }
-    /// Do all points that rub slide as at the start?
-    fn slides_on(&self, state: &State<T>) -> bool {
-        let now = |at| self.mechanism.speed(state, at).map(|v| v.signed(self.sense));
-        sliding(self.mechanism, state, &now) == self.slides
+    /// The first joint that rubs at which nothing slides as at the start.
+    fn turned_back(&self, state: &State<T>) -> Option<usize> {
+        let now = sliding(self.mechanism, state, (self.mechanism.moving(state), self.sense));
+        now.iter().zip(&self.slides).position(|(now, before)| now - before != 0.0)
     }
     /// Does this normal force press to the side to which it pressed at the start?
     fn presses_on(&self, joint: usize, force: T) -> bool {
@@ -407,7 +406,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let (mechanism, joints) = (self.mechanism, &self.mechanism.scene.joints);
         let [mut drives, mut growths, mut slopes, mut inertias] =
             [(); 4].map(|()| PerNode::with_capacity(rule.nodes.len()));
-        let mut slides_on = PerNode::new();
+        let mut turned_back = PerNode::new();
         let mut pushes: Watched<(T, T)> = SmallVec::new();
         let mut state = mechanism.state(self.angle(self.way(ends.1).0), true)?;
         let mut last = mechanism.inertia(&state);
@@ -419,7 +418,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             let mut drive = mechanism.drive(&state);
             if watched {
                 let response = mechanism.respond(&state, &self.rubs)?;
-                slides_on.push(self.slides_on(&state));
+                turned_back.push(self.turned_back(&state));
                 for joint in 0..joints.len() {
                     if let Some(parts) = mechanism.push(&response, joint) {
                         match pushes.iter_mut().find(|p| p.0 == joint) {
@@ -470,7 +469,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let factor = if self.is_rubbed() { T::of(1.0) } else { last };
         let uneven = rule.rough(&times, time, 0.0);
         let last = Gain { half_square, factor };
-        Ok(Panel { ends, pushes, slides_on, last, rough, uneven, times, squares, energies })
+        Ok(Panel { ends, pushes, turned_back, last, rough, uneven, times, squares, energies })
     }
 
     /// Shows smooth panels one after the other until `visit` has seen enough; gives what the rate comes to at the end.
@@ -484,7 +483,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let mut width = end - at;
         let (least, mut panels) = (width.size() * SHORTEST, PANELS);
         while at.below(end) {
-            let far = self.variable(self.way(at).0 + T::of(STRIDE));
+            let far = if self.steady { end } else { self.variable(self.way(at).0 + T::of(STRIDE)) };
             let ahead = self.meets.iter().map(|(_, angle)| (*angle - self.start).signed(self.sense));
             let meets =
                 ahead.filter(|way| way.sign() > 0.0).map(|way| self.variable(way)).filter(|x| at.below(*x));
@@ -586,8 +585,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let end = self.over((T::zero(), self.variable(far)), self.from, timely, &mut visit)?;
         let half_square = end.unwrap_or(self.from).half_square;
         let stop = found.unwrap_or(Stop { way: far, half_square, why: Why::Far, time: None, slowest: 1.0 });
-        if stop.why == Why::Turns && !timely {
-            return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
+        if let (Why::Turns(joint), false) = (stop.why, timely) {
+            return Err(Refusal::Friction(joint, Lacks::Lasting));
         }
         Ok(Stop { time, slowest: passes.share, ..stop })
     }
@@ -651,17 +650,19 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 }
             }
             let turned = match first {
-                Some((_, Why::Leaves(j))) => !self.mechanism.scene.joints[j].kind.is_one_sided(),
-                Some(_) => false,
-                None => !panel.slides_on.get(i).copied().unwrap_or(true),
+                Some((_, Why::Leaves(j))) => {
+                    Some(j).filter(|j| !self.mechanism.scene.joints[*j].kind.is_one_sided())
+                }
+                Some(_) => None,
+                None => panel.turned_back.get(i).copied().flatten(),
             };
-            if turned {
+            if let Some(joint) = turned {
                 // How long it goes on is looked at as far as it can be: where the end comes before, what is beyond it is not asked.
                 let moves = panel.squares.iter().all(|y| y.sign() > 0.0);
                 let (x, half_square) = if moves { (b, panel.last.half_square) } else { (before, square) };
                 let time = (moves && panel.uneven <= 1.0).then(|| rule.mean(&panel.times));
                 let way = self.way(x).0;
-                return Ok(Some(Stop { way, half_square, why: Why::Turns, time, slowest: 1.0 }));
+                return Ok(Some(Stop { way, half_square, why: Why::Turns(joint), time, slowest: 1.0 }));
             }
             if let Some((x, why)) = first {
                 let share = (x - a) / (b - a);
@@ -831,23 +832,35 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         Ok(found)
     }
 
+    /// How far it is looked for an end: what spins in one place twice as far as it takes to come to rest.
+    fn horizon(&self) -> Result<T, Refusal> {
+        let usual = self.mechanism.horizon();
+        if !self.steady {
+            return Ok(usual);
+        }
+        let (a, _) = self.mechanism.leading(&self.at(T::zero())?.1);
+        let slows = a.signed(-self.sense);
+        Ok(if slows.sign() > 0.0 { (self.from.half_square / slows).scale2(1) } else { usual })
+    }
+
     /// What is asked of the end and where the motion starts in its measure, how far at most it is looked for, and half the square of
     /// the rate that ends the motion.
-    fn wanted(&self) -> ((Option<T>, T), T, Option<T>) {
+    fn wanted(&self) -> Result<Wanted<T>, Refusal> {
         let (scene, n) = (self.mechanism.scene, self.mechanism.n);
         if let Some(apart) = self.mechanism.to_end_deg() {
             let apart = apart.signed(self.sense);
-            return ((Some(apart), T::zero()), apart / trig::degrees_per_radian(), None);
+            return Ok(((Some(apart), T::zero()), apart / trig::degrees_per_radian(), None));
         }
-        match scene.end {
+        let far = self.horizon()?;
+        Ok(match scene.end {
             End::Speed(_, w) => {
                 let w = n.get(w) / self.mechanism.ratio();
                 let begins = self.from.half_square.scale2(1).root();
-                ((Some(w.abs()), begins), self.mechanism.horizon(), Some(w.square().scale2(-1)))
+                ((Some(w.abs()), begins), far, Some(w.square().scale2(-1)))
             }
-            End::Time(_, t) => ((Some(n.get(t)), T::zero()), self.mechanism.horizon(), None),
-            _ => ((None, T::zero()), self.mechanism.horizon(), None),
-        }
+            End::Time(_, t) => ((Some(n.get(t)), T::zero()), far, None),
+            _ => ((None, T::zero()), far, None),
+        })
     }
 
     /// The first joint that can only push and does not at the start.
@@ -893,7 +906,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     /// Follows the motion to the end that is asked and tells what is there.
     fn to_its_end(&self, teller: &mut Teller<'_, '_, T>) -> Result<(), Refusal> {
         let (scene, n) = (self.mechanism.scene, self.mechanism.n);
-        let ((asked, begins), mut far, level) = self.wanted();
+        let ((asked, begins), mut far, level) = self.wanted()?;
         let limit = self.mechanism.overruns(self.sense, (far + look(), look()));
         let limit = limit.filter(|(limit, _)| limit.at_most(far));
         far = limit.map_or(far, |(limit, _)| limit * T::of(SHORT));
@@ -924,8 +937,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 None => self.time(stop.way, stop.why == Why::Rest)?,
             };
             most = Some(until);
-            if stop.why == Why::Turns && !t.below(until) {
-                return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
+            if let (Why::Turns(joint), false) = (stop.why, t.below(until)) {
+                return Err(Refusal::Friction(joint, Lacks::Lasting));
             }
             if t.side(until) == 0.0 {
                 (stop.why, stop.time) = (Why::Far, most);
@@ -1046,8 +1059,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         };
         let mut rubs =
             (0..scene.joints.len()).filter(|j| self.slides[*j] != 0.0 && scene.end != End::Leaves(*j));
-        if !self.slides_on(&state) || !rubs.all(presses_on) {
-            return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
+        if let Some(joint) = self.turned_back(&state).or_else(|| rubs.find(|j| !presses_on(*j))) {
+            return Err(Refusal::Friction(joint, Lacks::Lasting));
         }
         if let (Some(pinned), Some((_, rung_asks))) = (&self.pendulum, by) {
             self.step_through(teller, pinned, rung_asks)?;

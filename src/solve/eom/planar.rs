@@ -73,7 +73,7 @@ pub struct Mechanism<'a, T: Real> {
 /// Where all bodies are.
 type Poses<T> = pose::Poses<T>;
 /// Velocity or acceleration of each mass centre, and of each turn, counter-clockwise; or force and moment.
-type Rates<T> = SmallVec<[[T; 3]; 3]>;
+pub type Rates<T> = SmallVec<[[T; 3]; 3]>;
 
 /// Where all bodies are, and how fast they move for a unit rate of the leading angle.
 #[derive(Debug, Clone)]
@@ -113,6 +113,8 @@ struct Row<T> {
     toward: [T; 2],
     /// Does it keep its point at a line that another body carries, and turns?
     turns: bool,
+    /// A body that turns under its point and bears the opposite force: it does not move the surface.
+    bears: Option<End<T>>,
     /// Friction to the right of its direction per normal force.
     rubs: T,
 }
@@ -127,6 +129,8 @@ struct End<T> {
     lever: Vector<T>,
     /// Further lever: the radius at which the force acts below that centre.
     radius: T,
+    /// The radius below it at which the friction of a normal force acts.
+    rim: T,
 }
 
 impl<T: Real> End<T> {
@@ -138,10 +142,14 @@ impl<T: Real> End<T> {
 impl<T: Real> Row<T> {
     fn new(joint: usize, one: End<T>, other: Option<End<T>>, toward: T) -> Self {
         let ends = ([one, other.unwrap_or(one)], 1 + usize::from(other.is_some()));
-        Self { ends, joint, toward: [toward; 2], turns: false, rubs: T::zero() }
+        Self { ends, joint, toward: [toward; 2], turns: false, bears: None, rubs: T::zero() }
     }
     fn ends(&self) -> &[End<T>] {
         &self.ends.0[..self.ends.1]
+    }
+    /// On what its force acts.
+    fn loaded(&self) -> impl Iterator<Item = &End<T>> {
+        self.ends().iter().chain(&self.bears)
     }
 }
 
@@ -286,6 +294,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
             along,
             lever: self.lever(poses, spot),
             radius,
+            rim: zero,
         };
         rows.clear();
         for (joint, held) in self.scene.joints.iter().enumerate() {
@@ -318,9 +327,13 @@ impl<'a, T: Real> Mechanism<'a, T> {
                     let Some(touch) = self.layout.touch(joint, self.place(poses, at), line) else { continue };
                     let [rolls, teeth] = held.kind.rolls();
                     if !teeth {
-                        let (one, other) = self.against(joint, poses, end(at, touch.normal, zero));
+                        let rim = plant!("eom: radius at which a wheel rubs", touch.rim);
+                        let normal = End { rim, ..end(at, touch.normal, zero) };
+                        let (one, other) = self.against(joint, poses, normal);
+                        let (other, bears) =
+                            if held.kind.drum().is_none() { (other, None) } else { (None, other) };
                         let turns = other.is_some();
-                        rows.push(Row { turns, ..Row::new(joint, one, other, -touch.bend) });
+                        rows.push(Row { turns, bears, ..Row::new(joint, one, other, -touch.bend) });
                     }
                     if rolls {
                         let radius = plant!("eom: radius of a rolling wheel", touch.radius);
@@ -346,12 +359,12 @@ impl<'a, T: Real> Mechanism<'a, T> {
 
     /// What a row is for the body that moves on a line, and for that which carries the line: the opposite force at the same place.
     fn against(&self, joint: usize, poses: &Poses<T>, one: End<T>) -> (End<T>, Option<End<T>>) {
-        let Some(on) = self.scene.joints[joint].kind.carrier() else { return (one, None) };
+        let Some(on) = self.scene.joints[joint].kind.bearer() else { return (one, None) };
         let [own, its] = [one.body, on.body].map(|body| self.centre(poses, body));
         let apart = [own[0] - its[0], own[1] - its[1]];
         let lever = [one.lever[0] + apart[0], one.lever[1] + apart[1]];
         let along = one.along.map(|x| plant!("eom: force on what carries a line", -x));
-        let other = End { body: on.body, along, lever, radius: -one.radius };
+        let other = End { body: on.body, along, lever, radius: -one.radius, rim: -one.rim };
         (one, Some(other))
     }
 
@@ -366,15 +379,15 @@ impl<'a, T: Real> Mechanism<'a, T> {
                 let place = self.place(poses, spot);
                 let along = [(arc.axis[1] - place[1]) / arc.apart, (place[0] - arc.axis[0]) / arc.apart];
                 let lever = self.lever(poses, spot);
-                (End { body: self.lead, along, lever, radius: zero }, arc.apart)
+                (End { body: self.lead, along, lever, radius: zero, rim: zero }, arc.apart)
             }
             None => {
                 let none = [zero; 2];
                 if let Some(along) = self.layout.glide() {
-                    let end = End { body: self.lead, along, lever: none, radius: zero };
+                    let end = End { body: self.lead, along, lever: none, radius: zero, rim: zero };
                     return (Row::new(0, end, None, zero), T::of(1.0));
                 }
-                (End { body: self.lead, along: none, lever: none, radius: T::of(1.0) }, T::of(1.0))
+                (End { body: self.lead, along: none, lever: none, radius: T::of(1.0), rim: zero }, T::of(1.0))
             }
         };
         (Row::new(0, end, None, zero), speed.signed(self.sense(self.lead)))
@@ -451,7 +464,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
         if let Some(along) = self.drift {
             // From rest its mass centre does not move that way.
             let zero = T::zero();
-            let end = End { body: self.lead, along, lever: [zero; 2], radius: zero };
+            let end = End { body: self.lead, along, lever: [zero; 2], radius: zero, rim: zero };
             state.rows.push(Row::new(self.scene.joints.len(), end, None, zero));
         }
         let (columns, count) = (self.columns, state.rows.len() + 1);
@@ -516,9 +529,32 @@ impl<'a, T: Real> Mechanism<'a, T> {
         if clockwise { -1.0 } else { 1.0 }
     }
 
-    /// The direction of the line of a joint.
+    /// The direction along the surface of a joint, that to the right of its normal.
     pub fn line(&self, state: &State<T>, joint: usize) -> Vector<T> {
-        self.layout.line(joint, &state.poses)
+        match self.row_of(state, joint) {
+            Some(Row { ends: ([end, _], _), .. }) => [end.along[1], -end.along[0]],
+            None => [T::zero(); 2],
+        }
+    }
+    fn row_of<'s>(&self, state: &'s State<T>, joint: usize) -> Option<&'s Row<T>> {
+        state.rows.get(self.held[joint])
+    }
+    /// How fast a body slides along the surface of a joint, by the velocities (or accelerations from rest) of mass centres and turns.
+    pub fn slip(&self, state: &State<T>, joint: usize, moves: &Rates<T>) -> T {
+        let ends = self.row_of(state, joint).into_iter().flat_map(Row::loaded);
+        ends.fold(T::zero(), |slip, end| {
+            let ([x, y, turn], along) = (moves[end.body], [end.along[1], -end.along[0]]);
+            let rim = cross(end.lever, along).balance(end.rim);
+            slip.balance(x * along[0]).balance(y * along[1]).balance(rim * turn)
+        })
+    }
+    /// Velocities for a unit rate.
+    pub fn moving<'s>(&self, state: &'s State<T>) -> &'s Rates<T> {
+        &state.rates
+    }
+    /// Accelerations from rest.
+    pub fn setting_off<'r>(&self, response: &'r Response<T>) -> &'r Rates<T> {
+        &response.moves[CONSTANT]
     }
     /// Direction of the axis of a body.
     pub fn axis(&self, state: &State<T>, body: usize) -> Vector<T> {
@@ -623,9 +659,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let mut rows = state.rows.clone();
         for row in &mut rows {
             let Some(sense) = sliding.get(row.joint).copied() else { continue };
-            if let (JointKind::Guide { mu_k: Some(mu), .. }, true) =
-                (self.scene.joints[row.joint].kind, sense != 0.0)
-            {
+            if let Some(mu) = self.scene.joints[row.joint].kind.mu_k().filter(|_| sense != 0.0) {
                 let share = plant!("eom: kinetic friction in a guide", self.n.get(mu)).signed(-sense);
                 row.rubs = share;
             }
@@ -641,7 +675,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
             return [u[0], u[1], turn];
         }
         let f = [u[1] * rubs, -u[0] * rubs];
-        [u[0] + f[0], u[1] + f[1], turn + cross(end.lever, f)]
+        [u[0] + f[0], u[1] + f[1], turn + cross(end.lever, f) + end.rim * rubs]
     }
 
     /// The sum of the forces times the velocities for a unit rate of the leading angle, where nothing rubs.
@@ -828,7 +862,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
             }
         }
         for (j, row) in rows.iter().enumerate() {
-            for end in row.ends() {
+            for end in row.loaded() {
                 let force = Self::reacts(row, end);
                 for (k, f) in force.iter().enumerate().take(if self.turns(end.body) { 3 } else { 2 }) {
                     factors.add(self.first[end.body] + k, j, -*f);
@@ -868,13 +902,17 @@ impl<'a, T: Real> Mechanism<'a, T> {
         }
         for (j, (row, inward)) in held.iter().zip(inward).enumerate() {
             let unknown = self.columns + j;
+            for end in row.loaded() {
+                let (force, at) = (Self::reacts(row, end), self.first[end.body]);
+                for (k, f) in force.iter().enumerate().take(if self.turns(end.body) { 3 } else { 2 }) {
+                    rows.term(at + k, unknown, -*f);
+                }
+            }
             for end in row.ends() {
                 let turn = plant!("eom: lever of an acceleration", end.turn());
-                let (own, force) = ([end.along[0], end.along[1], turn], Self::reacts(row, end));
-                let at = self.first[end.body];
-                for k in 0..if self.turns(end.body) { 3 } else { 2 } {
-                    rows.term(at + k, unknown, -force[k]);
-                    rows.term(unknown, at + k, own[k]);
+                let (own, at) = ([end.along[0], end.along[1], turn], self.first[end.body]);
+                for (k, x) in own.iter().enumerate().take(if self.turns(end.body) { 3 } else { 2 }) {
+                    rows.term(unknown, at + k, *x);
                 }
             }
             rows.right(unknown, SQUARE, *inward);
@@ -961,16 +999,6 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let [x, y, spin] = state.rates[spot.body];
         let r = self.lever(&state.poses, spot);
         [x - spin * r[1], y + spin * r[0]]
-    }
-    /// Acceleration of a point from rest.
-    pub fn pull_off(&self, state: &State<T>, response: &Response<T>, spot: Spot) -> Vector<T> {
-        let [x, y] = self.acceleration(response, spot.body, T::zero());
-        if !self.turns(spot.body) {
-            return [x, y];
-        }
-        let turn = response.moves[0][spot.body][2];
-        let r = self.lever(&state.poses, spot);
-        [x - turn * r[1], y + turn * r[0]]
     }
     /// The force of a joint at this square of the rate: its components to the right and up on the first body, or along its
     /// normal, or the tension of a cord; `None` where the joints leave it open.

@@ -5,7 +5,7 @@ use crate::num::plant::plant;
 use crate::num::{Dd, Real, ball, gauss, root, trig};
 use crate::scene::End;
 use crate::solve::energy::joined::{Account, At, Poses, STEP, STRETCHED, WIDTHS, decided, least};
-use crate::solve::outcome::{Refusal, Unsupported};
+use crate::solve::outcome::{Lacks, Refusal};
 
 impl<T: Real> Account<'_, T> {
     /// The first place before `far` at which `value`, which sets off above 0 (or `rising` below it), no longer is there, however
@@ -19,10 +19,12 @@ impl<T: Real> Account<'_, T> {
         ball::unwatched(|| {
             let mut sure = true;
             // What sets off from rest beside a balance may turn in the first hair of the way.
-            let first = f64::min(self.stride, if value(T::zero())?.is_zero() { STEP / 32.0 } else { STEP });
+            let first =
+                f64::min(self.stride, if value(T::zero())?.is_zero() { STEP / 32.0 } else { self.widest });
             let stops = self.meets.iter().copied().filter(|x| x.below(far)).chain([far]);
             let mut told = |now| sure &= decided(now);
-            let Some([from, to]) = root::leaves(stops, [first, STEP, STRETCHED], rising, value, &mut told)?
+            let Some([from, to]) =
+                root::leaves(stops, [first, self.widest, STRETCHED], rising, value, &mut told)?
             else {
                 return Ok(None);
             };
@@ -57,7 +59,7 @@ impl<T: Real> Account<'_, T> {
         if T::ENCLOSES {
             return Ok(true);
         }
-        let turns = || Err(Refusal::Unsupported(Unsupported::FrictionTurns));
+        let turns = |joint| Err(Refusal::Friction(joint, Lacks::Lasting));
         for (j, joint) in self.scene.joints.iter().enumerate() {
             let pushes = joint.kind.is_one_sided();
             if !pushes && joint.kind.rubs().is_none() || self.scene.end == End::Leaves(j) {
@@ -69,17 +71,18 @@ impl<T: Real> Account<'_, T> {
                 Ok(force.map_or_else(|| T::of(1.0), |force| force.signed(side)))
             };
             if self.first(far, false, &force)?.is_some() {
-                return if pushes { Ok(false) } else { turns() };
+                return if pushes { Ok(false) } else { turns(j) };
             }
         }
         let mut at = if self.scene.joints.iter().any(|j| j.kind.rubs().is_some()) { T::zero() } else { far };
         while at.below(far) {
-            let next = at + T::of(STEP);
+            let next = at + T::of(self.widest);
             at = if next.below(far) { next } else { far };
             let poses = self.poses(at)?;
             let motion = self.rates(&poses).iter().map(|r| r.map(|x| x.signed(self.sense))).collect();
-            if self.sliding(&poses, &motion) != self.slides {
-                return turns();
+            let now = self.sliding(&poses, &motion);
+            if let Some(joint) = now.iter().zip(&self.slides).position(|(now, before)| now - before != 0.0) {
+                return turns(joint);
             }
         }
         Ok(true)
@@ -170,7 +173,7 @@ impl<T: Real> Account<'_, T> {
             return Ok(None);
         }
         // It is looked at in ever longer ways: what lies beyond the end may be rough.
-        let mut limit = if self.pendulum.is_some() { far } else { least(T::of(STEP), &far) };
+        let mut limit = if self.pendulum.is_some() { far } else { least(T::of(self.widest), &far) };
         let (rest, most) = loop {
             let rest = self.turning(limit, from)?;
             let most = self.time(&(rest.unwrap_or(limit), None), from, rest.is_some())?;

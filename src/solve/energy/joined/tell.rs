@@ -2,8 +2,8 @@
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, ball, trig};
 use crate::scene::pose;
-use crate::scene::{Acts, JointKind, Label, Owner, Quantity, Spot};
-use crate::solve::energy::joined::{Accelerations, Account, Motion, Poses, STEP, Vector, dot};
+use crate::scene::{Acts, Label, Owner, Quantity, Spot};
+use crate::solve::energy::joined::{Accelerations, Account, Motion, Poses, STEP, Vector, dot, right};
 use crate::solve::outcome::{Course, Refusal, Road, Said};
 
 impl<T: Real> Account<'_, T> {
@@ -273,9 +273,13 @@ impl<T: Real> Account<'_, T> {
             for (quantity, (force, _)) in quantities.iter().zip(&forces) {
                 self.say(road, *quantity, of, *force);
             }
-            if let (JointKind::Guide { mu_k: Some(mu), .. }, [(normal, _)]) = (joint.kind, forces.as_slice())
-            {
-                let up = pose::upward(self.line(poses, j));
+            if let (Some(mu), [(normal, _)]) = (joint.kind.mu_k(), forces.as_slice()) {
+                let at = joint
+                    .kind
+                    .rubs()
+                    .map_or([T::zero(); 2], |(at, _)| self.point(poses, at).map(|x| x.value));
+                let touch = self.layout.touch(j, at, self.line(poses, j));
+                let up = touch.map_or(1.0, |touch| pose::upward(right(touch.normal)));
                 let most = plant!("energy: friction that is told", self.n.get(mu)) * *normal;
                 self.say(road, Quantity::Friction, of, -most.signed(self.rubs[j]).signed(up));
             }

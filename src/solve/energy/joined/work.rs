@@ -6,7 +6,7 @@ use crate::num::{Jet, Real, gauss};
 use crate::scene::pose::Pose;
 use crate::scene::{Acts, Num, Push, Spot, StrutEnd, pose};
 use crate::solve::energy::joined::{
-    Account, At, Between, Motion, Poses, SMOOTH, STEP, Seen, Stretch, TURNS_OF_ITERATION, Vector, dot, least,
+    Account, At, Between, Motion, Poses, SMOOTH, Seen, Stretch, TURNS_OF_ITERATION, Vector, dot, least,
 };
 use crate::solve::outcome::Refusal;
 use smallvec::{SmallVec, smallvec};
@@ -314,7 +314,8 @@ impl<T: Real> Account<'_, T> {
         let mut solved = self.solved.borrow_mut();
         while solved.last().is_none_or(|s| s.ends.1.below(way)) {
             let (at, square) = solved.last().map_or((T::zero(), from), |s| (s.ends.1, s.squares.1));
-            let mut next = self.meets.iter().filter(|x| at.below(**x)).fold(at + T::of(8.0 * STEP), least);
+            let mut next =
+                self.meets.iter().filter(|x| at.below(**x)).fold(at + T::of(8.0 * self.widest), least);
             let stretch = (0..=gauss::HALVINGS).find_map(|_| {
                 let stretch = self.collocate((at, next), square).transpose();
                 next = (at + next).scale2(-1);

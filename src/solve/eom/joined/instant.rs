@@ -22,11 +22,11 @@ pub fn at_once<T: Real>(teller: &mut Teller<T>, spin: T, nothing: &[f64]) -> Res
     let smooth = mechanism.respond(&state, nothing)?;
     // What starts from rest slides as it would without friction, if friction lets it.
     let from_rest =
-        |response: &Response<T>| sliding(mechanism, &state, &|at| mechanism.pull_off(&state, response, at));
+        |response: &Response<T>| sliding(mechanism, &state, (mechanism.setting_off(response), 1.0));
     let mut slides = if spin.is_zero() {
         from_rest(&smooth)
     } else {
-        sliding(mechanism, &state, &|at| mechanism.speed(&state, at).map(|v| v * spin))
+        sliding(mechanism, &state, (mechanism.moving(&state), spin.sign()))
     };
     if !spin.is_zero() {
         outcome::all_slide(scene, &slides)?;
@@ -55,7 +55,7 @@ fn driven<T: Real>(teller: &mut Teller<T>, alpha: T, spin: T) -> Result<(), Refu
     let (scene, mechanism) = (teller.scene, teller.mechanism);
     let way = if spin.is_zero() { alpha / mechanism.ratio() } else { spin };
     let state = mechanism.state(T::zero(), true)?;
-    let slides = sliding(mechanism, &state, &|at| mechanism.speed(&state, at).map(|v| v * way));
+    let slides = sliding(mechanism, &state, (mechanism.moving(&state), way.sign()));
     outcome::all_slide(scene, &slides)?;
     let driven = |rubs: &[f64]| mechanism.driven(&state, rubs, (alpha, spin.square()));
     let rubs = rubbing(mechanism, &slides, spin.square(), &|rubs| Ok(driven(rubs)?.0))?;

@@ -83,6 +83,7 @@ impl<T: Real> Motion<'_, '_, T> {
                 meets: SmallVec::new(),
                 pendulum: None,
                 fine: Fine::of::<f64>(scene, true),
+                steady: false,
                 timed: false,
             };
             let next = onward.stop(stop.way.f64(), None, false, &mut []).ok()?;

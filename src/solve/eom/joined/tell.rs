@@ -3,7 +3,7 @@ use crate::num::dd::pow2;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, gauss, root, trig};
 use crate::scene::pose::Obstacle;
-use crate::scene::{Acts, JointKind, Label, Owner, Quantity, Spot, StrutEnd, pose};
+use crate::scene::{Acts, Label, Owner, Quantity, Spot, StrutEnd, pose};
 use crate::solve::eom::couple_on;
 use crate::solve::eom::joined::{BESIDE, Fine, Gain, Motion, PUSHES, SHORT, SHORTEST, Teller, look};
 use crate::solve::eom::planar::{LOOKED_THROUGH, Response, State};
@@ -179,6 +179,7 @@ impl<T: Real> Teller<'_, '_, T> {
             meets: mechanism.meets(way.sign(), (way.abs(), look())),
             pendulum: None,
             fine: Fine::of::<T>(self.scene, false),
+            steady: false,
             timed: false,
         };
         let motion = motion.set_off(&begin)?;
@@ -430,7 +431,7 @@ impl<T: Real> Teller<'_, '_, T> {
                 let arm = if *quantity == Quantity::Moment { mechanism.size() } else { 1.0 };
                 self.say_scaled(*quantity, of, *force, terms * arm);
             }
-            if let (JointKind::Guide { mu_k: Some(mu), .. }, [normal]) = (joint.kind, force.as_slice()) {
+            if let (Some(mu), [normal]) = (joint.kind.mu_k(), force.as_slice()) {
                 let up = pose::upward(mechanism.line(state, j));
                 let most = plant!("eom: friction that is told", self.n.get(mu)) * *normal;
                 let friction = -most.signed(sliding[j]).signed(up);
