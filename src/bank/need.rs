@@ -1,5 +1,4 @@
 //! What the numbers of a scene are used for: words, unit, admissible values and an example of each use, in one table.
-
 use crate::bank::node::WHOLE;
 use crate::finding::{only_told, told};
 use crate::scene::Rule;
@@ -98,4 +97,19 @@ impl Need {
         let (admits, rule, instead) = self.range;
         if admits(value) { Ok(()) } else { Err(told!("{} is {rule}{instead}", self.words)) }
     }
+}
+
+/// What an inertia that a synonym has put about the mass centre needs of that about the pin, for messages.
+pub fn about_pin_needs(text: &str) -> Option<&'static str> {
+    if !WHOLE {
+        return None;
+    }
+    let (about, arm) = text.split_once(" - ")?;
+    if about.starts_with("sqrt((") && about.ends_with(")^2") && arm.ends_with(")^2)") {
+        return Some(
+            "the radius of gyration about the pin must not be below the distance from the pin to the mass centre",
+        );
+    }
+    let moment = about.starts_with('(') && arm.contains(")*(") && arm.ends_with(")^2");
+    moment.then_some("the moment of inertia about the pin must not be below the mass times the square of the distance from the pin to the mass centre")
 }

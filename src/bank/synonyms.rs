@@ -285,19 +285,6 @@ fn about_pins(scene: &mut Node) {
     }
 }
 
-/// What an inertia that [`about_pins`] has put about the mass centre needs of that about the pin, for messages.
-#[cfg(feature = "program")]
-pub fn about_pin_needs(text: &str) -> Option<&'static str> {
-    let (about, arm) = text.split_once(" - ")?;
-    if about.starts_with("sqrt((") && about.ends_with(")^2") && arm.ends_with(")^2)") {
-        return Some(
-            "the radius of gyration about the pin must not be below the distance from the pin to the mass centre",
-        );
-    }
-    let moment = about.starts_with('(') && arm.contains(")*(") && arm.ends_with(")^2");
-    moment.then_some("the moment of inertia about the pin must not be below the mass times the square of the distance from the pin to the mass centre")
-}
-
 /// How far the pin of a body is from its mass centre, along its axis.
 fn arm(name: &str, body: &Node, joints: Option<&Node>) -> Option<Term> {
     if let Some(distance) = body.field("pinned").and_then(|pinned| pinned.field("distance")) {

@@ -1,5 +1,5 @@
 //! The rules of a draw, how often each refused and what came out instead, in words.
-use crate::bank::{Bound, Problem, measure, need, synonyms};
+use crate::bank::{Bound, Problem, measure, need};
 use crate::num::shown;
 use crate::scene::admissible::Inadmissible;
 use crate::scene::{End, Num, Scene, Tie, admissible};
@@ -361,7 +361,7 @@ pub fn inadmissible(problem: &Problem, scene: &Scene, fault: &Inadmissible) -> S
     }
     if let Num::Derived(i) = fault.datum
         && let Some(needs) =
-            scene.formulas.numbers.get(i).and_then(|written| synonyms::about_pin_needs(&written.text))
+            scene.formulas.numbers.get(i).and_then(|written| need::about_pin_needs(&written.text))
     {
         return format!("{told}: {needs}");
     }

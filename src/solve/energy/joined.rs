@@ -198,6 +198,7 @@ pub fn road<T: Real>(
         // What is known of the way did not look at the springs that are met farther on.
         account.solved.borrow_mut().clear();
         account.seen.borrow_mut().clear();
+        account.horizon = account.layout.horizon();
         road = account.road(asked)?;
     }
     if account.open.get() {

@@ -966,28 +966,11 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let gains = self.n.bodies.iter().zip(&jumps.moves[0]);
         gains.map(|(numbers, [x, y, _])| numbers.mass.size() * (x.size() + y.size())).sum()
     }
-    /// What adds up to the impulse of a joint: of the one of its bodies on which that is less, the momentum that it gains, the blows,
-    /// and the impulses of its other joints; `None` where those are open.
-    pub fn meets_at(&self, state: &State<T>, jumps: &Response<T>, joint: usize) -> Option<f64> {
-        let before = self.before(&state.poses);
-        let on = |joint: usize, body: usize| {
-            let kind = self.scene.joints[joint].kind;
-            kind.spots().any(|spot| spot.body == body)
-        };
-        let adds_up = |body: usize| {
-            let gained = [0, 1].map(|i| jumps.moves[0][body][i].apart(before[body][i]).size());
-            let gained = self.n.bodies[body].mass.size() * (gained[0] + gained[1]);
-            let blows = self.scene.pushes.iter().filter(|p| p.blow && p.at.body == body);
-            let blows = blows.map(|p| self.n.massive(p.force_n).size());
-            let others = (0..self.held.len()).filter(|other| *other != joint && on(*other, body));
-            let others = others.map(|other| {
-                let impulses = self.reaction(jumps, other, T::zero())?;
-                Some(impulses.iter().take(2).map(|impulse| impulse.size()).sum())
-            });
-            blows.chain([gained]).map(Some).chain(others).sum::<Option<f64>>()
-        };
-        let bodies = (0..before.len()).filter(|body| on(joint, *body));
-        bodies.filter_map(adds_up).reduce(f64::min)
+    /// The momentum that a body gains.
+    pub fn gain(&self, state: &State<T>, jumps: &Response<T>, body: usize) -> f64 {
+        let before = self.before(&state.poses)[body];
+        let gained = |i: usize| jumps.moves[0][body][i].apart(before[i]).size();
+        self.n.bodies[body].mass.size() * (gained(0) + gained(1))
     }
     /// Velocity of a mass centre for a unit rate.
     pub fn velocity(&self, state: &State<T>, body: usize) -> Vector<T> {

@@ -16,6 +16,9 @@ const PIECES: f64 = 9.0;
 /// An equilibrium is indifferent whose stiffness is below this share of what forces could give it.
 const INDIFFERENT: f64 = 1e-9;
 
+/// A size for each body.
+type PerBody = SmallVec<[f64; 4]>;
+
 /// Sum of the magnitudes.
 fn sizes<T: Real>(parts: &[T]) -> f64 {
     parts.iter().map(|part| part.size()).sum()
@@ -227,6 +230,8 @@ impl<T: Real> Teller<'_, '_, T> {
     /// The impulses of the joints at a blow. One that can only push and would have to pull lets go, and the other way round.
     pub fn tell_blow(&mut self, state: &State<T>, jumps: &Response<T>) {
         let all = self.blows() + self.mechanism.gained(jumps);
+        let own = |body: usize| self.mechanism.gain(state, jumps, body);
+        let on = self.adding_up((jumps, T::zero()), own, true);
         for (j, joint) in self.scene.joints.iter().enumerate() {
             let (of, quantities) = (Owner::Joint(j), joint.kind.impulses());
             let Some(impulses) = self.mechanism.reaction(jumps, j, T::zero()) else {
@@ -235,8 +240,7 @@ impl<T: Real> Teller<'_, '_, T> {
             };
             for (quantity, impulse) in quantities.iter().zip(&impulses) {
                 let impulse = plant!("eom: impulse of a joint", *impulse).cleared(impulse.size() + all);
-                let terms = self.mechanism.meets_at(state, jumps, j).unwrap_or(all);
-                self.say_scaled(*quantity, of, impulse, beside(impulse.size() + terms, all));
+                self.say_scaled(*quantity, of, impulse, beside(self.least_at(j, &on), all));
             }
             if joint.kind.is_one_sided() && impulses[0].below(T::of(-PUSHES * all)) {
                 let [pull, all] =
@@ -385,32 +389,50 @@ impl<T: Real> Teller<'_, '_, T> {
     }
 
     /// For each body what adds up to a force on it, N: its weight, its mass times its acceleration, and what acts on it.
-    fn forces_on(&self, state: &State<T>, response: &Response<T>, square: T) -> SmallVec<[f64; 4]> {
+    fn forces_on(&self, state: &State<T>, response: &Response<T>, square: T) -> PerBody {
         let (scene, n, mechanism) = (self.scene, self.n, self.mechanism);
-        let inertial = |b: usize| {
-            let with = n.carried.map_or(0.0, |with| sizes(&with));
+        let carried = n.carried.map_or(0.0, |with| sizes(&with));
+        let own = |b: usize| {
             let rate = sizes(&mechanism.acceleration(response, b, square));
-            n.bodies[b].mass.size() * (n.gravity.size() + with + rate)
+            n.bodies[b].mass.size() * (n.gravity.size() + carried + rate)
         };
-        let mut on: SmallVec<[f64; 4]> = (0..scene.bodies.len()).map(inertial).collect();
-        let mut add = |spot: Spot, force: f64| on[spot.body] += force;
-        for (j, joint) in scene.joints.iter().enumerate() {
-            let force = mechanism.reaction(response, j, square).map_or(0.0, |force| sizes(&force));
-            joint.kind.spots().for_each(|spot| add(spot, force));
-        }
+        let mut on = self.adding_up((response, square), own, false);
         for (s, strut) in scene.struts.iter().enumerate().filter(|(_, strut)| !strut.twists()) {
             let tension = mechanism.tension(state, s).size();
-            add(strut.at, tension);
+            on[strut.at.body] += tension;
             if let StrutEnd::Spot(other) = strut.to {
-                add(other, tension);
+                on[other.body] += tension;
             }
         }
-        scene.pushes.iter().filter(|p| !p.blow).for_each(|p| add(p.at, n.massive(p.force_n).size()));
         on
     }
 
-    /// The forces of joints and springs at this square of the rate of the leading angle. The terms of the force of a joint are what
-    /// acts on the one of its bodies on which that is least: from that it is worked out.
+    /// For each body what adds up to a force on it, or in a blow to an impulse: this of its own, the forces of its joints, and what
+    /// pushes or strikes it.
+    fn adding_up(
+        &self,
+        (response, square): (&Response<T>, T),
+        own: impl Fn(usize) -> f64,
+        blow: bool,
+    ) -> PerBody {
+        let mut on: PerBody = (0..self.scene.bodies.len()).map(own).collect();
+        for (j, joint) in self.scene.joints.iter().enumerate() {
+            let force = self.mechanism.reaction(response, j, square).map_or(0.0, |force| sizes(&force));
+            joint.kind.spots().for_each(|spot| on[spot.body] += force);
+        }
+        for push in self.scene.pushes.iter().filter(|push| push.blow == blow) {
+            on[push.at.body] += self.n.massive(push.force_n).size();
+        }
+        on
+    }
+
+    /// What adds up to the force of a joint: what acts on the one of its bodies on which that is least, for from that it is worked out.
+    fn least_at(&self, joint: usize, on: &PerBody) -> f64 {
+        let spots = self.scene.joints[joint].kind.spots();
+        spots.map(|spot| on[spot.body]).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The forces of joints and springs at this square of the rate of the leading angle.
     pub fn tell_forces(&mut self, state: &State<T>, response: &Response<T>, square: T, sliding: &[f64]) {
         let (scene, mechanism, pulls) = (self.scene, self.mechanism, self.pulls());
         let loads = self.loads(square);
@@ -425,8 +447,7 @@ impl<T: Real> Teller<'_, '_, T> {
             for f in &mut force {
                 *f = f.cleared(beside(f.size() + pulls, loads));
             }
-            let terms = joint.kind.spots().map(|spot| on[spot.body]).fold(f64::INFINITY, f64::min);
-            let terms = beside(terms, loads);
+            let terms = beside(self.least_at(j, &on), loads);
             for (quantity, force) in quantities.iter().zip(&force) {
                 let arm = if *quantity == Quantity::Moment { mechanism.size() } else { 1.0 };
                 self.say_scaled(*quantity, of, *force, terms * arm);
