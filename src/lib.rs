@@ -107,7 +107,7 @@
 //!   what a kill leaves of that the next `--add` repairs.
 //!
 //! Who may import whom, and who keeps which crate, stands as a table in `tests/architecture.rs` and is checked there. [`num`],
-//! [`scene`] and [`solve`] are a package of their own, `src/mechanics.rs`, which the rest is compiled without.
+//! [`scene`] and [`solve`] are a package of their own, `src/mechanics.rs`, which knows nothing of the rest.
 //!
 //! # Where the next feature goes
 //! A new method: a word in [`solve::method`], its steps in [`num::ode`] or its sum in `solve/energy/quadrature.rs`; [`solve::ladder`]

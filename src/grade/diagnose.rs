@@ -138,7 +138,7 @@ impl Comparison {
         let mut others: Vec<f64> =
             wrong.iter().map(|w| w.value).filter(|v| fits(x, *v, AROUND * reach)).collect();
         others.retain(|v| !fits(x, *v, reach));
-        others.sort_by(f64::total_cmp);
+        others.sort_unstable_by(f64::total_cmp);
         others.dedup_by(|a, b| fits(*a, *b, EXACT));
         if others.len() as f64 > CHANCE * AROUND { Vec::new() } else { told }
     }
@@ -157,8 +157,8 @@ impl Comparison {
             let miss = |value: f64| (MILLION * (x - value).abs() / width(value, self.share)).round();
             let near = wrong.iter().filter(|w| fits(x, w.value, self.share));
             let mut methods: Vec<(f64, u16)> = near.map(|w| (miss(w.value), w.method)).collect();
-            // Stable: of equally near ones the first of the bank.
-            methods.sort_by(|a, b| a.0.total_cmp(&b.0));
+            // Of equally near ones the first of the bank.
+            methods.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             return methods.iter().map(|(_, method)| *method).collect();
         }
         Vec::new()

@@ -436,6 +436,7 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
                 Lacks::Sliding => "refused.friction.sliding",
                 Lacks::Side => "refused.friction.side",
                 Lacks::Lasting => "refused.friction.lasting",
+                Lacks::Grip => "refused.friction.grip",
             };
             say(name, &[("joint", &joint_name(scene, *joint))])
         }

@@ -144,7 +144,8 @@ impl<'p> Methods<'p> {
             method.before = before;
             before += method.spoils.len();
         }
-        methods.sort_by_key(|m| (m.solves.is_some(), !m.joins, m.mistake.unguarded.is_some()));
+        methods
+            .sort_unstable_by_key(|m| (m.solves.is_some(), !m.joins, m.mistake.unguarded.is_some(), m.index));
         Self { problem, methods }
     }
 

@@ -524,6 +524,10 @@ impl Scene {
         match label.quantity {
             Quantity::Normal => !fixed,
             Quantity::Impulse if on_joint => !fixed,
+            // Along a rim no word tells a sense.
+            Quantity::Friction => {
+                matches!(joint, Some(JointKind::Contact { surface: Surface::Arc { .. }, mu_k: Some(_), .. }))
+            }
             Quantity::SpringForce => strut.is_some_and(|strut| strut.acts != Acts::Both),
             Quantity::XEq => !self.rigid_springs(label),
             other => other.is_magnitude(),

@@ -518,6 +518,8 @@ impl Scene {
         self.bodies[lead].turns
             && self.joints.iter().any(|joint| joint.kind.rubs_on(lead))
             && self.joints.iter().all(|joint| joint.kind.spots().all(centred) && !turned(joint))
+            // A line that turns with it changes place.
+            && self.joints.iter().all(|joint| joint.kind.carrier().is_none_or(|on| on.body != lead))
             && self.pushes.iter().all(|push| centred(push.at) && !(push.turns && push.at.body == lead))
             && self.struts.iter().all(springs)
     }

@@ -158,7 +158,7 @@ impl Scales {
                 tried.extend((-TRIED[2]..=TRIED[2]).map(|t| [m, l, t]));
             }
         }
-        tried.sort_by_key(|steps| steps.iter().map(|s| s.abs()).sum::<i32>());
+        tried.sort_unstable_by_key(|steps| (steps.iter().map(|s| s.abs()).sum::<i32>(), *steps));
         tried.into_iter().map(move |[m, l, t]| Self {
             mass: mass + STEPS[0] * m,
             length: length + STEPS[1] * l,

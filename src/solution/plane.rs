@@ -314,9 +314,12 @@ impl<'d, 'a> Plane<'d, 'a> {
             return Err(Beyond::Impact.into());
         }
         if carriers.into_iter().any(|on| draft.scene.bodies[on.body].turns)
-            || draft.scene.joints.iter().any(leads_on)
+            || draft.scene.joints.iter().any(|joint| leads_on(joint) || joint.kind.drum().is_some())
         {
             return Err(Beyond::Mechanism.into());
+        }
+        if draft.scene.spins_in_place() && !draft.scene.is_still() {
+            return Err(Beyond::Rubbing.into());
         }
         let g = terms::gravity(draft);
         let carrier = Carrying::of(draft);

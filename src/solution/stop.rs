@@ -57,6 +57,8 @@ pub enum Beyond {
     Impact,
     /// A mechanism that is not placed, or not looked through.
     Mechanism,
+    /// A wheel that turns on the spot while it rubs: forces stay as they are, and it is not said in closed form.
+    Rubbing,
     /// What a motion that follows takes over.
     Next,
     /// A motion in phases, in which contacts come to rest one after the other.
@@ -85,6 +87,7 @@ impl Beyond {
             Self::GrowingForce => ("growing_force", None),
             Self::Impact => ("impact", None),
             Self::Mechanism => ("mechanism", None),
+            Self::Rubbing => ("rubbing", None),
             Self::Next => ("next", None),
             Self::Phases => ("phases", None),
             Self::Slack => ("slack", None),
@@ -110,6 +113,7 @@ mod tests {
                 Beyond::GrowingForce,
                 Beyond::Impact,
                 Beyond::Mechanism,
+                Beyond::Rubbing,
                 Beyond::Next,
                 Beyond::Phases,
                 Beyond::Slack,

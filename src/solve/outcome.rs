@@ -523,6 +523,9 @@ pub fn or_motion<W>(scene: &Scene, forces: Result<Option<W>, Refusal>) -> Result
     }
 }
 
+/// A force below this share of the largest is rounding.
+const SLIGHT: f64 = 1e-12;
+
 /// The senses of friction per normal force of each joint, which hang on the sides to which guides press that hold on both: those in
 /// which points slide, turned about where a guide presses to its right. The one combination with which all `normal` forces, which may
 /// be open, press to that side.
@@ -548,11 +551,35 @@ pub fn sides<T: Real>(
             return Err(Refusal::Friction(guides[0], Lacks::Side));
         }
     }
-    found.ok_or_else(|| Refusal::Friction(guides.first().copied().unwrap_or(0), Lacks::Side))
+    let senses: SmallVec<[f64; 4]> =
+        found.ok_or_else(|| Refusal::Friction(guides.first().copied().unwrap_or(0), Lacks::Side))?;
+    // A normal force as a function of its own coefficient of friction is a constant over what is linear in it: where its sign changes
+    // on the way from 0, it has gone through infinity, and what the equations give then does not happen. A page shows what was found sound.
+    if cfg!(feature = "program") && !T::ENCLOSES {
+        let mut pressed: SmallVec<[(usize, f64, f64); 4]> = SmallVec::new();
+        for j in (0..senses.len()).filter(|j| senses[*j] != 0.0) {
+            let mut smooth = senses.clone();
+            smooth[j] = 0.0;
+            if let (Some(with), Some(without)) = (normal(&senses, j)?, normal(&smooth, j)?) {
+                pressed.push((j, with.f64(), without.f64()));
+            }
+        }
+        let noise = SLIGHT * pressed.iter().map(|(_, with, _)| with.abs()).fold(0.0, f64::max);
+        let turns = |(_, with, without): &&(usize, f64, f64)| {
+            with.signum() != without.signum() && with.abs().min(without.abs()) > noise
+        };
+        if let Some((joint, ..)) = pressed.iter().find(turns) {
+            return Err(Refusal::Friction(*joint, Lacks::Grip));
+        }
+    }
+    Ok(senses)
 }
 
 /// Joints that leave several freedoms place no body on the way; else no way is known to place this one.
 pub fn unplaced(scene: &Scene, body: usize) -> Refusal {
+    if !cfg!(feature = "program") {
+        return Refusal::Unplaced(body);
+    }
     if scene.is_still() && scene.starts_from_rest() {
         return Refusal::Unplaced(body);
     }
@@ -630,6 +657,8 @@ pub enum Lacks {
     Side,
     /// It turns about on the way, or the guide presses to its other side.
     Lasting,
+    /// It is so strong that what presses there without friction would not press with it, or the other way round: it jams, or comes off.
+    Grip,
 }
 
 /// What one road says of one quantity.

@@ -1,8 +1,9 @@
 //! Wheels that rub where they are held: in a corner, on a line at the end of a link or a rod, under a brake; by the equations of
 //! textbooks, and by a motion in time whose contacts are stiff springs.
 use crate::joined::{all_near, constants, told};
+use slipstick::scene::Quantity;
 use slipstick::solve::agree;
-use slipstick::solve::outcome::{CheckKind, Lacks, Refusal};
+use slipstick::solve::outcome::{CheckKind, Entry, Lacks, Refusal};
 
 const G: f64 = 9.81;
 
@@ -199,6 +200,48 @@ end: {end}
 }
 
 /// What turns under a shoe hangs on a pin at the axis of the rim.
+/// Where friction alone decides whether a wheel on a rod presses, it jams or comes off: `N (1 - mu tan) = m g - P`, by moments about
+/// the pin of the rod, has a solution that presses though the wheel is lifted, or none though it is heavy.
+#[test]
+fn a_wheel_that_jams_is_refused() {
+    let text = |lift: f64, mu: f64, spin: f64| {
+        format!(
+            "
+bodies: {{disc: {{mass: 5 kg, shape: {{disc: 0.1 m}}, moves: in the plane, placed: [0 m, 0.1 m]}}}}
+joints:
+  floor: {{slides: disc, radius: 0.1 m, along: horizontal, mu_k: {mu:?}}}
+  link:  {{links: disc, to: [-0.3 m, 0.7 m]}}
+forces: [force: {{on: disc, magnitude: {lift:?} N, direction: up}}]
+start: {{disc: {{spin: {spin:?} rad/s}}}}
+end: at once
+"
+        )
+    };
+    let normal = |lift: f64, mu: f64, spin: f64| {
+        let bank = constants(&text(lift, mu, spin));
+        let solved = agree::solve(&bank.problems[0].cases[0].scene, &[G]);
+        solved.map(|solved| {
+            solved.entries.iter().find(|e| e.label.quantity == Quantity::Normal).map(Entry::value)
+        })
+    };
+    // The rod leads up to the left with the slope 2.
+    for (lift, spin) in [(70.0, 30.0), (70.0, -30.0), (20.0, 30.0), (20.0, -30.0)] {
+        for mu in [0.3, 0.45, 0.55, 0.8] {
+            let by_hand = (5.0 * G - lift) / (1.0 - f64::signum(spin) * 2.0 * mu);
+            match normal(lift, mu, spin) {
+                Ok(found) => {
+                    assert!((found.unwrap() / by_hand - 1.0).abs() < 1e-12, "{lift} {mu} {spin}: {found:?}");
+                    assert!(spin < 0.0 || mu < 0.5, "{lift} {mu} {spin} jams");
+                }
+                Err(why) => {
+                    assert!(matches!(why, Refusal::Friction(0, Lacks::Grip)), "{lift} {mu} {spin}: {why:?}");
+                    assert!(spin > 0.0 && mu > 0.5, "{lift} {mu} {spin} does not jam");
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn a_drum_hangs_on_a_pin_at_its_axis() {
     let text = "

@@ -154,7 +154,7 @@ impl<T: Real> Teller<'_, '_, T> {
         let stretched = (0..self.scene.struts.len()).filter(|s| !self.scene.struts[*s].twists());
         let all = stretched.flat_map(|s| self.mechanism.passes(s, sense, (full, look())));
         let mut stops: SmallVec<[T; 4]> = all.flatten().collect();
-        stops.sort_by(|a, b| a.f64().total_cmp(&b.f64()));
+        stops.sort_unstable_by(|a, b| a.f64().total_cmp(&b.f64()));
         let look = look::<T>().f64();
         let stops = stops.into_iter().chain([full]);
         let Some([low, high]) = root::leaves(stops, [look, look, PIECES], false, drive, &mut |_| ())? else {
@@ -205,8 +205,11 @@ impl<T: Real> Teller<'_, '_, T> {
         Ok(())
     }
 
-    /// Do the joints that can only push or only pull do so, at this square of the rate?
+    /// Do the joints that can only push or only pull do so, at this square of the rate? Those of a page do.
     pub fn watch(&mut self, response: &Response<T>, square: T) {
+        if !LOOKED_THROUGH {
+            return;
+        }
         for (j, _) in self.scene.joints.iter().enumerate().filter(|(_, j)| j.kind.is_one_sided()) {
             if let Some(force) = self.mechanism.reaction(response, j, square) {
                 let force = self.n.publish(Quantity::Normal, force[0]);
@@ -242,7 +245,7 @@ impl<T: Real> Teller<'_, '_, T> {
                 let impulse = plant!("eom: impulse of a joint", *impulse).cleared(impulse.size() + all);
                 self.say_scaled(*quantity, of, impulse, beside(self.least_at(j, &on), all));
             }
-            if joint.kind.is_one_sided() && impulses[0].below(T::of(-PUSHES * all)) {
+            if LOOKED_THROUGH && joint.kind.is_one_sided() && impulses[0].below(T::of(-PUSHES * all)) {
                 let [pull, all] =
                     [impulses[0], T::of(all)].map(|x| self.n.publish(Quantity::Impulse, x).f64());
                 self.road.held.push(Held::Jolted(j, pull, all));
