@@ -595,6 +595,8 @@ impl<'n> ProblemRead<'n> {
             let slipping = || contacts().filter(|(i, _)| touching.slips(*i));
             let (none, all) = (slipping().count() == 0, slipping().count() == read.touches.len());
             let word = match (none, all) {
+                // A sheet names no cases.
+                _ if !WHOLE => String::new(),
                 (true, _) => "rolls".to_owned(),
                 (_, true) => "slips".to_owned(),
                 _ => {
@@ -605,8 +607,9 @@ impl<'n> ProblemRead<'n> {
             };
             // Of several contacts the body that the regime tells of may roll or slip.
             let fits = |r: &&String| !none && !all || slips(r) == all;
-            let regimes: Vec<String> = case.regimes.iter().filter(fits).cloned().collect();
-            if !regimes.is_empty() || case.regimes.is_empty() {
+            // Nor does it tell regimes.
+            let regimes: Vec<String> = case.regimes.iter().filter(|r| WHOLE && fits(r)).cloned().collect();
+            if !WHOLE || !regimes.is_empty() || case.regimes.is_empty() {
                 kept.push((touching, word, regimes));
             }
         }
@@ -629,7 +632,7 @@ impl<'n> ProblemRead<'n> {
             let others = readings.iter().filter(|(t, _)| WHOLE && *t != touching);
             one.rivals = others.filter_map(|(_, reading)| reading.scene.clone()).collect();
             one.read = readings.iter().find(|(t, _)| *t == touching).map(|(_, reading)| reading.clone());
-            if several {
+            if WHOLE && several {
                 one.name = if case.name.is_empty() { word } else { format!("{}, {word}", case.name) };
             }
             one

@@ -558,15 +558,17 @@ pub fn blows<T: Real>(scene: &Scene, n: &Numbers<T>) -> f64 {
     blows.map(|p| n.massive(p.force_n).size()).chain(scene.arrivals().map(momentum)).sum()
 }
 
+/// How far a body of the plane reaches from the origin of its axes, m.
+pub fn extent<T: Real>(scene: &Scene, n: &Numbers<T>, body: usize) -> f64 {
+    let Some(planar) = scene.planar(body) else { return 0.0 };
+    let points = planar.points.iter().map(|(_, at)| at.map(|x| along(n, x).size()).iter().sum());
+    points.fold(along(n, planar.centre).size(), f64::max)
+}
+
 /// Sum of what each body reaches, from the origin of its axes to its farthest point, and of radii, m: what lengths and speeds are small
 /// beside.
 pub fn size<T: Real>(scene: &Scene, n: &Numbers<T>) -> f64 {
-    let bodies = scene.bodies.iter().filter_map(|b| b.planar.as_ref());
-    let reach = |p: &Planar| {
-        let points = p.points.iter().map(|(_, at)| at.map(|x| along(n, x).size()).iter().sum());
-        points.fold(along(n, p.centre).size(), f64::max)
-    };
-    let rods: f64 = bodies.map(reach).sum();
+    let rods: f64 = (0..scene.bodies.len()).map(|body| extent(scene, n, body)).sum();
     let round = scene.joints.iter().map(|joint| match joint.kind {
         JointKind::Contact { radius_m, surface: Surface::Arc { radius_m: arc, .. }, .. } => {
             n.get(radius_m).size() + n.get(arc).size()

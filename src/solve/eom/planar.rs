@@ -1027,10 +1027,15 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let (_, _, apart) = self.strut(poses, s.at, &s.to);
         dot(apart, apart).root().balance(-self.natural[strut])
     }
-    /// The force of a spring that is stretched by its natural length, N, or the moment of one that is turned by 1 rad, N m.
+    /// The force of a spring that is stretched by its natural length, N, or the moment of one that is turned by 1 rad, N m; 0 where its
+    /// stretch is given.
     pub fn measure(&self, strut: usize) -> f64 {
         let s = &self.scene.struts[strut];
-        let by = if s.twists() { T::of(1.0) } else { self.natural[strut] };
+        let by = match s.rest {
+            _ if s.twists() => T::of(1.0),
+            Rest::Length(_) => self.natural[strut],
+            Rest::Stretch(_) => T::zero(),
+        };
         (self.n.massive(s.stiffness_n_m) * by).size()
     }
     /// Where springs that only push or pull are met or let go of on a way from the start: which, and the leading angle.

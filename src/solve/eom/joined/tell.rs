@@ -60,7 +60,9 @@ impl<T: Real> Teller<'_, '_, T> {
     pub fn tell_risen(&mut self, body: usize, from: T, to: T) {
         let size = self.mechanism.size();
         let rise = (to - from).cleared(size);
-        self.say_scaled(Quantity::Rise, Owner::Body(body), rise, beside(sizes(&[from, to]), size));
+        // The heights count from an origin that the scene need not be near.
+        let terms = f64::min(sizes(&[from, to]), size);
+        self.say_scaled(Quantity::Rise, Owner::Body(body), rise, beside(terms, size));
     }
 
     pub fn say(&mut self, quantity: Quantity, of: Owner, value: T) {
@@ -243,7 +245,7 @@ impl<T: Real> Teller<'_, '_, T> {
             };
             for (quantity, impulse) in quantities.iter().zip(&impulses) {
                 let impulse = plant!("eom: impulse of a joint", *impulse).cleared(impulse.size() + all);
-                self.say_scaled(*quantity, of, impulse, beside(self.least_at(j, &on), all));
+                self.say_scaled(*quantity, of, impulse, beside(self.least_at(j, |body| on[body]), all));
             }
             if LOOKED_THROUGH && joint.kind.is_one_sided() && impulses[0].below(T::of(-PUSHES * all)) {
                 let [pull, all] =
@@ -259,6 +261,11 @@ impl<T: Real> Teller<'_, '_, T> {
         let (mut energy, mut heavy) = (T::zero(), 0.0);
         // The fastest point moves no faster than this share of the leading angle's rate.
         let fastest = rate.size() * mechanism.size();
+        // What is driven moves as it is driven; else accelerations are worked out of that body on which least acts for its mass.
+        let moved = |b: usize, on: &[f64]| {
+            let mass = self.n.bodies[b].mass.size();
+            if mass > 0.0 && scene.driven().is_none() { on[b] / mass } else { f64::INFINITY }
+        };
         for (b, body) in scene.bodies.iter().enumerate() {
             let of = Owner::Body(b);
             let [vx, vy] = mechanism.velocity(state, b).map(|v| v * rate);
@@ -278,8 +285,10 @@ impl<T: Real> Teller<'_, '_, T> {
                 let of_force =
                     |force: f64| if numbers.mass.is_zero() { own } else { force / numbers.mass.size() };
                 let noise = beside(own + of_force(self.pulls()), of_force(self.loads(rate.square())));
+                let least = (0..on.len()).map(|other| moved(other, on)).fold(f64::INFINITY, f64::min);
+                let terms = if least.is_finite() { f64::max(own, least) } else { own };
                 for (quantity, a) in [Quantity::AX, Quantity::AY].into_iter().zip(seen) {
-                    self.say_scaled(quantity, of, a.cleared(noise), of_force(on[b]));
+                    self.say_scaled(quantity, of, a.cleared(noise), beside(terms, noise));
                 }
             }
             if body.turns {
@@ -420,7 +429,9 @@ impl<T: Real> Teller<'_, '_, T> {
     ) -> PerBody {
         let mut on: PerBody = (0..self.scene.bodies.len()).map(own).collect();
         for (j, joint) in self.scene.joints.iter().enumerate() {
-            let force = self.mechanism.reaction(response, j, square).map_or(0.0, |force| sizes(&force));
+            // The third of a weld is its couple.
+            let force = self.mechanism.reaction(response, j, square);
+            let force = force.map_or(0.0, |force| sizes(&force[..force.len().min(2)]));
             joint.kind.spots().for_each(|spot| on[spot.body] += force);
         }
         for push in self.scene.pushes.iter().filter(|push| push.blow == blow) {
@@ -430,9 +441,9 @@ impl<T: Real> Teller<'_, '_, T> {
     }
 
     /// What adds up to the force of a joint: what acts on the one of its bodies on which that is least, for from that it is worked out.
-    fn least_at(&self, joint: usize, on: &PerBody) -> f64 {
+    fn least_at(&self, joint: usize, on: impl Fn(usize) -> f64) -> f64 {
         let spots = self.scene.joints[joint].kind.spots();
-        spots.map(|spot| on[spot.body]).fold(f64::INFINITY, f64::min)
+        spots.map(|spot| on(spot.body)).fold(f64::INFINITY, f64::min)
     }
 
     /// The forces of joints and springs at this square of the rate of the leading angle.
@@ -450,10 +461,11 @@ impl<T: Real> Teller<'_, '_, T> {
             for f in &mut force {
                 *f = f.cleared(beside(f.size() + pulls, loads));
             }
-            let terms = beside(self.least_at(j, &on), loads);
+            let terms = beside(self.least_at(j, |body| on[body]), loads);
+            let turning = self.least_at(j, |body| on[body] * pose::extent(scene, self.n, body));
             for (quantity, force) in quantities.iter().zip(&force) {
-                let arm = if *quantity == Quantity::Moment { mechanism.size() } else { 1.0 };
-                self.say_scaled(*quantity, of, *force, terms * arm);
+                let couple = *quantity == Quantity::Moment;
+                self.say_scaled(*quantity, of, *force, if couple { force.size() + turning } else { terms });
             }
             if let (Some(mu), [normal]) = (joint.kind.mu_k(), force.as_slice()) {
                 let up = pose::upward(mechanism.line(state, j));
@@ -472,7 +484,7 @@ impl<T: Real> Teller<'_, '_, T> {
         }
         for (s, strut) in scene.struts.iter().enumerate() {
             let (of, force) = (Owner::Strut(s), mechanism.tension(state, s));
-            let terms = force.size() + 2.0 * mechanism.measure(s);
+            let terms = force.size() + mechanism.measure(s);
             if strut.twists() {
                 self.say_scaled(Quantity::Moment, of, -force, terms);
             } else {
