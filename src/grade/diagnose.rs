@@ -54,6 +54,8 @@ const CONFUSED: [(&str, &str, f64); 7] = [
 const TENS: i32 = 6;
 /// Rounding three figures on the way moves an answer by at most some half a per cent times its condition number.
 const DRIFT_PER_COND: f64 = 0.005;
+/// The condition number that is taken where it is not known: a sheet does not tell it, for it would go with the answer.
+const USUAL_COND: f64 = 3.0;
 /// A drift ends at this many half-widths: what is farther off is no rounding.
 const DRIFT_ENDS: f64 = 3.0;
 
@@ -111,7 +113,8 @@ impl Comparison {
         };
         let alike = |(i, other): (usize, &KeyEntry)| i != part && other.unit.dimension() == dimension;
         let alike = parts.iter().enumerate().any(alike);
-        let reach = (DRIFT_PER_COND * entry.cond.unwrap_or(0.0) * key.abs()).min(DRIFT_ENDS * half_width);
+        let reach =
+            (DRIFT_PER_COND * entry.cond.unwrap_or(USUAL_COND) * key.abs()).min(DRIFT_ENDS * half_width);
         Some(Comparison { key, magnitude, share, reach, confused, alike })
     }
 

@@ -43,8 +43,6 @@ pub struct SheetPart {
     pub id: String,
     /// The relative tolerance.
     pub tolerance: Option<f64>,
-    /// The condition number.
-    pub cond: Option<f64>,
     /// The words that are offered, where they are not the usual ones.
     pub words: Vec<String>,
 }
@@ -107,7 +105,6 @@ impl SheetPart {
         Ok(Self {
             id: text(value, "id", path)?,
             tolerance: value.get("tolerance").and_then(Value::as_f64),
-            cond: value.get("cond").and_then(Value::as_f64),
             words: words.iter().filter_map(Value::as_str).map(str::to_owned).collect(),
         })
     }

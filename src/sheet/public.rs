@@ -10,7 +10,6 @@
 use crate::bank::node::Node;
 use crate::bank::{Bank, Case, Mistake, Problem, labels, node, synonyms, yaml};
 use crate::finding::Finding;
-use crate::num::shown;
 use crate::page::sheet_file::FORMAT;
 use crate::problem::make_key;
 use crate::problem::maker::Variant;
@@ -85,11 +84,6 @@ impl<'b> Writer<'b> {
                     "points": q.points,
                     "tolerance": if q.label.quantity.is_word() { 0.0 } else { variant.within[p] },
                 });
-                // By how much rounding on the road may move the answer, which a page does not work out.
-                let cond = variant.solved.get(q.label).map_or(f64::NAN, |entry| entry.cond);
-                if cond.is_finite() && cond > 0.0 {
-                    part["cond"] = json!(shown::rounded(cond, 2));
-                }
                 // The scene has no regimes: where they leave a list that is not the usual pair, it is said here.
                 let list = make_key::offered(problem, q.label.quantity, &problem.cases[variant.case].scene);
                 if q.label.quantity.is_word() && list.contains(&"stays") {

@@ -135,7 +135,7 @@ fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Half, Ref
         }
     }
     let next = scene.formulas.others.iter().find(|(how, _)| *how == AsIf::Next);
-    if let (true, Some((_, scene)), Some(next)) = (cfg!(feature = "program"), next, &road.next) {
+    if let (Some((_, scene)), Some(next)) = (next, &road.next) {
         checks.push(physical::judge_next(scene, next));
     }
     let (course, next) = (road.kind(), road.next.as_deref().and_then(Road::kind));

@@ -224,8 +224,6 @@ fn check<P: Real>(scene: &Scene, held: &Held<P>, checks: &mut Vec<Check>) {
     let one = match *held {
         Held::Thrown(ref throw) => return throw_checks(scene, throw, checks),
         Held::Rolling(_, _, None) => return,
-        // Of joined bodies a page has one case alone, which was found sound.
-        Held::Touching(..) | Held::Jolted(..) | Held::Met(..) if !cfg!(feature = "program") => return,
         Held::Pressed(body, normal) => positive(CheckKind::Pressed, body, normal, 1.0),
         Held::Touching(joint, least, most) => {
             let pushes = scene.joints[joint].kind.only_pushes();

@@ -1189,12 +1189,12 @@ fn hints_for_joined_bodies_fit_where_they_are_told() {
         (
             "N, draw: always 5",
             rod.to_owned() + &push.replace('P', "-x"),
-            "`-x` = -5: must not be below 0: its direction says whither it acts",
+            "`-x` = -5 with x = 5 N: must not be below 0: its direction says whither it acts",
         ),
         (
             "N*m, draw: always 5",
             rod.to_owned() + &couple.replace('P', "-x"),
-            "`-x` = -5: must not be below 0: `sense: back` turns the other way",
+            "must not be below 0: `sense: back` turns the other way",
         ),
         (
             length,

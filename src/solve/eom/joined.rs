@@ -607,7 +607,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         watched.extend(level.map(|_| (Why::Speed, SmallVec::new())));
         watched.extend(panel.pushes.iter().map(|(joint, _)| (Why::Leaves(*joint), SmallVec::new())));
         let mut note = |joint: usize, force: T| {
-            if let Some(least) = least.iter_mut().find(|l| LOOKED_THROUGH && l.0 == joint) {
+            if let Some(least) = least.iter_mut().find(|l| l.0 == joint) {
                 let now = T::leading(|| force.f64());
                 (least.1, least.2) = (f64::min(least.1, now), f64::max(least.2, force.size()));
             }
@@ -999,11 +999,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         }
     }
 
-    /// How much the joints that can only push did so at least. Those of a page did.
+    /// How much the joints that can only push did so at least.
     fn tell_touching(&self, teller: &mut Teller<T>, stop: &Stop<T>, least: Vec<(usize, f64, f64)>) {
-        if !LOOKED_THROUGH {
-            return;
-        }
         let (scene, n) = (self.mechanism.scene, self.mechanism.n);
         let leaving = |joint| scene.end == End::Leaves(joint);
         for (joint, least, most) in least {

@@ -966,11 +966,31 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let gains = self.n.bodies.iter().zip(&jumps.moves[0]);
         gains.map(|(numbers, [x, y, _])| numbers.mass.size() * (x.size() + y.size())).sum()
     }
-    /// The momentum that a body gains.
-    pub fn gain(&self, state: &State<T>, jumps: &Response<T>, body: usize) -> f64 {
-        let before = self.before(&state.poses)[body];
-        let gained = |i: usize| jumps.moves[0][body][i].apart(before[i]).size();
-        self.n.bodies[body].mass.size() * (gained(0) + gained(1))
+    /// For each body the sizes, to the right and up, of what adds up to its mass times its acceleration at this square of the rate, or
+    /// in a blow to its momentum: what is given, and the forces of joints.
+    pub fn adding_up(
+        &self,
+        state: &State<T>,
+        (response, square): (&Response<T>, T),
+        blow: bool,
+    ) -> SmallVec<[[f64; 2]; 4]> {
+        let given = self.forces(&state.poses, blow);
+        let mut on: SmallVec<[[f64; 2]; 4]> = given.iter().map(|f| [f[0].size(), f[1].size()]).collect();
+        for (row, parts) in state.rows.iter().zip(&response.forces) {
+            let force =
+                parts.map_or(0.0, |(constant, by_square)| constant.balance(by_square * square).size());
+            for end in row.loaded() {
+                let own = &mut on[end.body];
+                *own = [0, 1].map(|i| own[i] + force * end.along[i].size());
+            }
+        }
+        on
+    }
+    /// What of this adds up to a force of a joint: along it, on the one of its bodies on which that is least, for from that it is worked
+    /// out.
+    pub fn adding_to(&self, state: &State<T>, (joint, i): (usize, usize), on: &[[f64; 2]]) -> f64 {
+        let along = |end: &End<T>| (0..2).map(|i| end.along[i].size() * on[end.body][i]).sum();
+        state.rows[self.held[joint] + i].loaded().map(along).fold(f64::INFINITY, f64::min)
     }
     /// Velocity of a mass centre for a unit rate.
     pub fn velocity(&self, state: &State<T>, body: usize) -> Vector<T> {

@@ -3,7 +3,7 @@ use crate::num::dd::pow2;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, gauss, root, trig};
 use crate::scene::pose::Obstacle;
-use crate::scene::{Acts, Label, Owner, Quantity, Spot, StrutEnd, pose};
+use crate::scene::{Acts, Label, Owner, Quantity, Spot, pose};
 use crate::solve::eom::couple_on;
 use crate::solve::eom::joined::{BESIDE, Fine, Gain, Motion, PUSHES, SHORT, SHORTEST, Teller, look};
 use crate::solve::eom::planar::{LOOKED_THROUGH, Response, State};
@@ -15,9 +15,6 @@ const PIECES: f64 = 9.0;
 
 /// An equilibrium is indifferent whose stiffness is below this share of what forces could give it.
 const INDIFFERENT: f64 = 1e-9;
-
-/// A size for each body.
-type PerBody = SmallVec<[f64; 4]>;
 
 /// Sum of the magnitudes.
 fn sizes<T: Real>(parts: &[T]) -> f64 {
@@ -207,11 +204,8 @@ impl<T: Real> Teller<'_, '_, T> {
         Ok(())
     }
 
-    /// Do the joints that can only push or only pull do so, at this square of the rate? Those of a page do.
+    /// Do the joints that can only push or only pull do so, at this square of the rate?
     pub fn watch(&mut self, response: &Response<T>, square: T) {
-        if !LOOKED_THROUGH {
-            return;
-        }
         for (j, _) in self.scene.joints.iter().enumerate().filter(|(_, j)| j.kind.is_one_sided()) {
             if let Some(force) = self.mechanism.reaction(response, j, square) {
                 let force = self.n.publish(Quantity::Normal, force[0]);
@@ -235,19 +229,23 @@ impl<T: Real> Teller<'_, '_, T> {
     /// The impulses of the joints at a blow. One that can only push and would have to pull lets go, and the other way round.
     pub fn tell_blow(&mut self, state: &State<T>, jumps: &Response<T>) {
         let all = self.blows() + self.mechanism.gained(jumps);
-        let own = |body: usize| self.mechanism.gain(state, jumps, body);
-        let on = self.adding_up((jumps, T::zero()), own, true);
+        let on = self.mechanism.adding_up(state, (jumps, T::zero()), true);
         for (j, joint) in self.scene.joints.iter().enumerate() {
             let (of, quantities) = (Owner::Joint(j), joint.kind.impulses());
             let Some(impulses) = self.mechanism.reaction(jumps, j, T::zero()) else {
                 self.road.leaves_open(of, quantities);
                 continue;
             };
-            for (quantity, impulse) in quantities.iter().zip(&impulses) {
+            for (i, (quantity, impulse)) in quantities.iter().zip(&impulses).enumerate() {
                 let impulse = plant!("eom: impulse of a joint", *impulse).cleared(impulse.size() + all);
-                self.say_scaled(*quantity, of, impulse, beside(self.least_at(j, |body| on[body]), all));
+                self.say_scaled(
+                    *quantity,
+                    of,
+                    impulse,
+                    beside(self.mechanism.adding_to(state, (j, i), &on), all),
+                );
             }
-            if LOOKED_THROUGH && joint.kind.is_one_sided() && impulses[0].below(T::of(-PUSHES * all)) {
+            if joint.kind.is_one_sided() && impulses[0].below(T::of(-PUSHES * all)) {
                 let [pull, all] =
                     [impulses[0], T::of(all)].map(|x| self.n.publish(Quantity::Impulse, x).f64());
                 self.road.held.push(Held::Jolted(j, pull, all));
@@ -256,15 +254,20 @@ impl<T: Real> Teller<'_, '_, T> {
     }
 
     /// Velocities and energy at this rate of what leads, with the accelerations where they are told.
-    pub fn tell_motion(&mut self, state: &State<T>, rate: T, response: Option<(&Response<T>, &[f64], f64)>) {
+    pub fn tell_motion(
+        &mut self,
+        state: &State<T>,
+        rate: T,
+        response: Option<(&Response<T>, &[[f64; 2]], f64)>,
+    ) {
         let (scene, mechanism) = (self.scene, self.mechanism);
         let (mut energy, mut heavy) = (T::zero(), 0.0);
         // The fastest point moves no faster than this share of the leading angle's rate.
         let fastest = rate.size() * mechanism.size();
         // What is driven moves as it is driven; else accelerations are worked out of that body on which least acts for its mass.
-        let moved = |b: usize, on: &[f64]| {
+        let moved = |b: usize, force: f64| {
             let mass = self.n.bodies[b].mass.size();
-            if mass > 0.0 && scene.driven().is_none() { on[b] / mass } else { f64::INFINITY }
+            if mass > 0.0 && scene.driven().is_none() { force / mass } else { f64::INFINITY }
         };
         for (b, body) in scene.bodies.iter().enumerate() {
             let of = Owner::Body(b);
@@ -285,10 +288,11 @@ impl<T: Real> Teller<'_, '_, T> {
                 let of_force =
                     |force: f64| if numbers.mass.is_zero() { own } else { force / numbers.mass.size() };
                 let noise = beside(own + of_force(self.pulls()), of_force(self.loads(rate.square())));
-                let least = (0..on.len()).map(|other| moved(other, on)).fold(f64::INFINITY, f64::min);
-                let terms = if least.is_finite() { f64::max(own, least) } else { own };
-                for (quantity, a) in [Quantity::AX, Quantity::AY].into_iter().zip(seen) {
-                    self.say_scaled(quantity, of, a.cleared(noise), beside(terms, noise));
+                for (i, quantity) in [Quantity::AX, Quantity::AY].into_iter().enumerate() {
+                    let least =
+                        (0..on.len()).map(|other| moved(other, on[other][i])).fold(f64::INFINITY, f64::min);
+                    let terms = if least.is_finite() { f64::max(seen[i].size(), least) } else { own };
+                    self.say_scaled(quantity, of, seen[i].cleared(noise), beside(terms, noise));
                 }
             }
             if body.turns {
@@ -333,7 +337,7 @@ impl<T: Real> Teller<'_, '_, T> {
         let all = lead.0.size() + lead.1.size() * square.size() + square.size() + free;
         // Of a body on a pin its own terms measure them.
         let terms = if self.pinned.is_some() { self.terms(state) } else { all };
-        let on = self.forces_on(state, response, square);
+        let on = self.mechanism.adding_up(state, (response, square), false);
         self.tell_motion(state, rate, Some((response, &on, terms)));
         self.tell_spin(state, rate);
         self.tell_powers(state, rate, None);
@@ -400,57 +404,11 @@ impl<T: Real> Teller<'_, '_, T> {
         }
     }
 
-    /// For each body what adds up to a force on it, N: its weight, its mass times its acceleration, and what acts on it.
-    fn forces_on(&self, state: &State<T>, response: &Response<T>, square: T) -> PerBody {
-        let (scene, n, mechanism) = (self.scene, self.n, self.mechanism);
-        let carried = n.carried.map_or(0.0, |with| sizes(&with));
-        let own = |b: usize| {
-            let rate = sizes(&mechanism.acceleration(response, b, square));
-            n.bodies[b].mass.size() * (n.gravity.size() + carried + rate)
-        };
-        let mut on = self.adding_up((response, square), own, false);
-        for (s, strut) in scene.struts.iter().enumerate().filter(|(_, strut)| !strut.twists()) {
-            let tension = mechanism.tension(state, s).size();
-            on[strut.at.body] += tension;
-            if let StrutEnd::Spot(other) = strut.to {
-                on[other.body] += tension;
-            }
-        }
-        on
-    }
-
-    /// For each body what adds up to a force on it, or in a blow to an impulse: this of its own, the forces of its joints, and what
-    /// pushes or strikes it.
-    fn adding_up(
-        &self,
-        (response, square): (&Response<T>, T),
-        own: impl Fn(usize) -> f64,
-        blow: bool,
-    ) -> PerBody {
-        let mut on: PerBody = (0..self.scene.bodies.len()).map(own).collect();
-        for (j, joint) in self.scene.joints.iter().enumerate() {
-            // The third of a weld is its couple.
-            let force = self.mechanism.reaction(response, j, square);
-            let force = force.map_or(0.0, |force| sizes(&force[..force.len().min(2)]));
-            joint.kind.spots().for_each(|spot| on[spot.body] += force);
-        }
-        for push in self.scene.pushes.iter().filter(|push| push.blow == blow) {
-            on[push.at.body] += self.n.massive(push.force_n).size();
-        }
-        on
-    }
-
-    /// What adds up to the force of a joint: what acts on the one of its bodies on which that is least, for from that it is worked out.
-    fn least_at(&self, joint: usize, on: impl Fn(usize) -> f64) -> f64 {
-        let spots = self.scene.joints[joint].kind.spots();
-        spots.map(|spot| on(spot.body)).fold(f64::INFINITY, f64::min)
-    }
-
     /// The forces of joints and springs at this square of the rate of the leading angle.
     pub fn tell_forces(&mut self, state: &State<T>, response: &Response<T>, square: T, sliding: &[f64]) {
         let (scene, mechanism, pulls) = (self.scene, self.mechanism, self.pulls());
         let loads = self.loads(square);
-        let on = self.forces_on(state, response, square);
+        let on = self.mechanism.adding_up(state, (response, square), false);
         for (j, joint) in scene.joints.iter().enumerate() {
             let of = Owner::Joint(j);
             let quantities = joint.kind.forces();
@@ -461,19 +419,26 @@ impl<T: Real> Teller<'_, '_, T> {
             for f in &mut force {
                 *f = f.cleared(beside(f.size() + pulls, loads));
             }
-            let terms = beside(self.least_at(j, |body| on[body]), loads);
-            let turning = self.least_at(j, |body| on[body] * pose::extent(scene, self.n, body));
-            for (quantity, force) in quantities.iter().zip(&force) {
-                let couple = *quantity == Quantity::Moment;
-                self.say_scaled(*quantity, of, *force, if couple { force.size() + turning } else { terms });
+            let along = |i: usize| beside(mechanism.adding_to(state, (j, i), &on), loads);
+            let turning = |body: usize| (on[body][0] + on[body][1]) * pose::extent(scene, self.n, body);
+            for (i, (quantity, force)) in quantities.iter().zip(&force).enumerate() {
+                let terms = if *quantity == Quantity::Moment {
+                    let least =
+                        joint.kind.spots().map(|spot| turning(spot.body)).fold(f64::INFINITY, f64::min);
+                    beside(force.size() + least, loads * mechanism.size())
+                } else {
+                    along(i)
+                };
+                self.say_scaled(*quantity, of, *force, terms);
             }
             if let (Some(mu), [normal]) = (joint.kind.mu_k(), force.as_slice()) {
                 let up = pose::upward(mechanism.line(state, j));
                 let most = plant!("eom: friction that is told", self.n.get(mu)) * *normal;
                 let friction = -most.signed(sliding[j]).signed(up);
-                self.say_scaled(Quantity::Friction, of, friction, terms);
+                self.say_scaled(Quantity::Friction, of, friction, along(0) * self.n.get(mu).size());
             }
             if let (&[x, y, ..], [_, Quantity::PinY, ..]) = (force.as_slice(), quantities) {
+                let terms = along(0) + along(1);
                 self.tell_along(state, response, square, [x, y], terms);
                 let force = (x.square() + y.square()).root();
                 self.say_scaled(Quantity::PinForce, of, force, terms);
