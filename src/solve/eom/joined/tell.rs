@@ -419,7 +419,7 @@ impl<T: Real> Teller<'_, '_, T> {
             for f in &mut force {
                 *f = f.cleared(beside(f.size() + pulls, loads));
             }
-            let along = |i: usize| beside(mechanism.adding_to(state, (j, i), &on), loads);
+            let along = |i: usize| beside(mechanism.adding_to(state, (j, i), &on), pulls + loads);
             let turning = |body: usize| (on[body][0] + on[body][1]) * pose::extent(scene, self.n, body);
             for (i, (quantity, force)) in quantities.iter().zip(&force).enumerate() {
                 let terms = if *quantity == Quantity::Moment {
