@@ -970,3 +970,73 @@ fn an_end_is_told_of_the_body_that_leads() {
         found(end).expect("an end");
     }
 }
+
+// A thousandth of the terms of an answer is allowed beside its tolerance. The terms were once those of the whole scene: every spring as if
+// it were as long as all that has a name, every weight beside every horizontal force, heights above an origin far away; then any number was
+// right. No test looked at a small force beside large ones.
+#[test]
+fn no_answer_is_free() {
+    let roller = "
+bodies: {roller: {mass: 100 kg, shape: {cylinder: 0.3 m}, moves: in the plane, placed: [0 m, 0.3 m]}}
+joints: {floor: {rolls: roller, radius: 0.3 m, along: horizontal}}
+forces: [force: {on: roller.A, magnitude: 30 N, direction: right}]
+start: at rest
+end: at once
+";
+    let bar = |points: &str| {
+        format!(
+            "
+bodies: {{bar: {{mass: 10 kg, shape: {{rod: 1.8 m}}, moves: in the plane, angle: from right, points: {{A: 0 m, B: its end{points}}}}}}}
+joints: {{O: {{pins: bar.A}}}}
+forces: [spring: {{on: bar.B, to: [1.8 m, -0.45 m], stiffness: 60 kN/m, stretch: -40 mm, only: pushes}}]
+start: {{bar: {{angle: 0 deg}}}}
+end: {{angle: {{of: bar, reaches: 10 deg}}}}
+"
+        )
+    };
+    let trolley = "
+bodies:
+  trolley: {mass: 1000 kg, moves: in the plane, placed: [0 m, 0 m]}
+  rod: {mass: 1.5 kg, shape: {rod: 1 m}, moves: in the plane, angle: from hanging}
+joints:
+  rail: {guides: trolley, along: horizontal}
+  O: {hinges: [trolley, rod.A]}
+forces: [force: {on: trolley, magnitude: 1000 N, direction: right}]
+start: {rod: {angle: 20 deg}}
+end: at once
+";
+    let free = |scene: &str, name: &str| {
+        let (bank, solved) = solved(scene);
+        let entry = solved.get(labels::named(&bank.problems[0].cases[0].scene, name).unwrap()).unwrap();
+        1e-3 * entry.scale / entry.value().abs()
+    };
+    let (bar, named) = (bar(""), bar(", C: 1.8 m, D: 1.8 m, E: 1.8 m, F: 1.8 m, H: 1.8 m"));
+    let cases = [
+        (roller, "floor.friction"),
+        (roller, "roller.a_x"),
+        (roller, "roller.alpha"),
+        (&*bar, "O.pin_x"),
+        (&*bar, "O.pin_y"),
+        (&*named, "O.pin_x"),
+        (trolley, "O.pin_x"),
+        (trolley, "O.pin_y"),
+    ];
+    for (scene, name) in cases {
+        assert!(free(scene, name) < 0.05, "{name}: {} in{scene}", free(scene, name));
+    }
+    // Where the origin lies does not matter.
+    let ladder = |high: f64| {
+        format!(
+            "
+bodies: {{ladder: {{mass: 10 kg, shape: {{rod: 4 m}}, moves: in the plane, angle: from horizontal}}}}
+joints:
+  floor: {{guides: ladder.A, along: horizontal, through: [0 m, {high} m]}}
+  wall: {{guides: ladder.B, along: vertical}}
+start: {{ladder: {{angle: 60 deg}}}}
+end: {{angle: {{of: ladder, reaches: 59 deg}}}}
+"
+        )
+    };
+    let [here, there] = [0.0, 50.0].map(|high| free(&ladder(high), "ladder.rise"));
+    assert!(there < 1.5 * here, "{there} against {here}");
+}

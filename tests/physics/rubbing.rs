@@ -257,6 +257,12 @@ end: at once
 ";
     let found = crate::joined::read(text).unwrap_err();
     assert!(found.iter().any(|f| f.to_string().contains("no pin holds that body at the axis")), "{found:?}");
+    let rolls = "shoe:  {rolls: lever.B, radius: 0.1 m, outside: 0.25 m, on: drum}";
+    let found = crate::joined::read(
+        &text.replace("shoe:  {slides: lever.B, outside: 0.25 m, on: drum, mu_k: 0.2}", rolls),
+    );
+    let found = found.unwrap_err();
+    assert!(found.iter().any(|f| f.to_string().contains("a cylinder that turns is not solved")), "{found:?}");
 }
 
 /// A particle on a rough cylinder: `w = (2 g/rho) ((2 mu^2 - 1) cos - 3 mu sin)/(1 + 4 mu^2) + C exp(2 mu phi)`, the square of its rate.

@@ -287,6 +287,11 @@ impl SceneReader<'_> {
                     Surface::Arc { centre_m, radius_m, inside, on }
                 })
             }
+            (Some(n), None, None) | (None, Some(n), None) => f.refuse_with(
+                on.unwrap_or(n),
+                "what rolls on a cylinder that turns is not solved",
+                "leave `on:` out where the cylinder stays; wheels about fixed axles turn one another by `meshes` or `belt`",
+            ),
             (None, None, _) if on.or(along).is_some() => self.straight((on, along), fields, bodies).map(Surface::Line),
             _ => f.refuse_with(
                 node,

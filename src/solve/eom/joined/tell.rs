@@ -334,7 +334,7 @@ impl<T: Real> Teller<'_, '_, T> {
         // Where all vanish by symmetry, what falls freely over such a distance is left to measure them by.
         let size = self.mechanism.size();
         let free = if size > 0.0 { self.n.gravity.size() / size } else { 0.0 };
-        let all = lead.0.size() + lead.1.size() * square.size() + square.size() + free;
+        let all = beside(lead.0.size() + lead.1.size() * square.size() + square.size(), free);
         // Of a body on a pin its own terms measure them.
         let terms = if self.pinned.is_some() { self.terms(state) } else { all };
         let on = self.mechanism.adding_up(state, (response, square), false);
