@@ -928,8 +928,7 @@ fn compare(m: &Machine, solved: &Solved, end: &End) -> Result<(), String> {
     for e in &solved.entries {
         let name = e.label.quantity.name();
         // The rows of a joint that holds answer a blow as they answer forces.
-        let (answers, most) =
-            if name.ends_with("impulse") { (&blows[..], kicks) } else { (&forces[..], pulls) };
+        let (answers, most) = if name.ends_with("impulse") { (blows, kicks) } else { (&forces[..], pulls) };
         let (want, size) = match (name, e.label.of) {
             ("t", _) => (t, t),
             ("kinetic_energy", _) => {

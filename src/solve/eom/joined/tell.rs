@@ -16,6 +16,9 @@ const PIECES: f64 = 9.0;
 /// An equilibrium is indifferent whose stiffness is below this share of what forces could give it.
 const INDIFFERENT: f64 = 1e-9;
 
+/// What accelerations are told of: the response, what adds up on each body to the right and up, and the terms of an angular one.
+type Accelerated<'r, T> = (&'r Response<T>, &'r [[f64; 2]], f64);
+
 /// Sum of the magnitudes.
 fn sizes<T: Real>(parts: &[T]) -> f64 {
     parts.iter().map(|part| part.size()).sum()
@@ -254,12 +257,7 @@ impl<T: Real> Teller<'_, '_, T> {
     }
 
     /// Velocities and energy at this rate of what leads, with the accelerations where they are told.
-    pub fn tell_motion(
-        &mut self,
-        state: &State<T>,
-        rate: T,
-        response: Option<(&Response<T>, &[[f64; 2]], f64)>,
-    ) {
+    pub fn tell_motion(&mut self, state: &State<T>, rate: T, response: Option<Accelerated<T>>) {
         let (scene, mechanism) = (self.scene, self.mechanism);
         let (mut energy, mut heavy) = (T::zero(), 0.0);
         // The fastest point moves no faster than this share of the leading angle's rate.
