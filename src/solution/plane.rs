@@ -2290,8 +2290,10 @@ impl<'d, 'a> Plane<'d, 'a> {
             Q::AngularMomentum => (["L", r"\Lambda"], about.by(of(self, Q::Omega)?)),
             Q::WorkCouple => (["W_{M}", "A_{M}"], self.couple(0, None).by(self.turned())),
             Q::PowerCouple => {
-                let rate = in_sense(of(self, Q::Omega)?.into(), self.sense);
-                ([r"\dot{W}_{M}", r"\dot{A}_{M}"], self.couple(0, None).by(&rate))
+                let rate = of(self, Q::Omega)?;
+                let turns = self.symbols.value(rate) != 0.0;
+                let power = self.couple(0, None).by(&in_sense(rate.into(), self.sense));
+                ([r"\dot{W}_{M}", r"\dot{A}_{M}"], if turns { power } else { ZERO })
             }
             Q::OmegaMax => {
                 let height = signed(cosine(&self.turns[0].at[START]), pivot.up);

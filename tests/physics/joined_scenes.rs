@@ -1039,7 +1039,9 @@ fn compare(m: &Machine, solved: &Solved, end: &End) -> Result<(), String> {
                     (answers[first[j] + 1] * up(unit(radians(direction))), most)
                 }
                 Hold::Arc(at, _, _, axis, _, inside, (mu, _)) => {
-                    let out = plus(judge.place(q, at), -1.0, axis);
+                    // A blow acts at the start.
+                    let then = if name == "friction_impulse" { &m.start[..] } else { q };
+                    let out = plus(judge.place(then, at), -1.0, axis);
                     let right = if inside { [-out[1], out[0]] } else { [out[1], -out[0]] };
                     let rubs = mu.map(|mu| -mu * forces[first[j]] * senses[j]);
                     (rubs.unwrap_or_else(|| answers[first[j] + 1]) * up(right), most)

@@ -813,7 +813,18 @@ impl<'s> System<'s> {
             Tie::Cord { from, far: Far::To(to) } => rightward(from) * rightward(to) > 0.0,
             _ => false,
         };
-        if s.ties.iter().any(turned) {
+        // So it is where a wheel about a fixed axle leads on from one surface to another.
+        let mut led: Vec<(usize, usize, f64)> = Vec::new();
+        for tie in &s.ties {
+            let Tie::Cord { from, far: Far::To(to) } = tie else { continue };
+            for (axle, end) in [(from, to), (to, from)] {
+                if let (Way::Axle, Some(k)) = (&s.bodies[axle.body].way, surface(end)) {
+                    led.push((axle.body, k, rightward(end)));
+                }
+            }
+        }
+        let led_on = led.iter().any(|a| led.iter().any(|b| a.0 == b.0 && a.1 != b.1 && a.2 * b.2 > 0.0));
+        if led_on || s.ties.iter().any(turned) {
             return (Vec::new(), Vec::new());
         }
         let (mut pins, mut open) = (Vec::new(), Vec::new());
