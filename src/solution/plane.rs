@@ -2292,7 +2292,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             Q::PowerCouple => {
                 let rate = of(self, Q::Omega)?;
                 let turns = self.symbols.value(rate) != 0.0;
-                let power = self.couple(0, None).by(&in_sense(rate.into(), self.sense));
+                let power = self.couple(0, None).by(in_sense(rate.into(), self.sense));
                 ([r"\dot{W}_{M}", r"\dot{A}_{M}"], if turns { power } else { ZERO })
             }
             Q::OmegaMax => {

@@ -177,7 +177,7 @@ fn compare(s: &composed::Scene, forces: f64, solved: &Solved, told: &Told) -> Re
             continue;
         };
         let got = e.value();
-        let near = 1e-8 * e.cond.clamp(1.0, 1e6) * want.abs() + 1e-10 * size.abs();
+        let near = 1e-8 * e.cond.clamp(1.0, 1e6) * want.abs() + 1e-10 * size.abs() + 1e-12;
         if !(got == *want || (got - want).abs() <= near) {
             faults.push(format!("{name} of {of:?}: {got:e} is published, {want:e} by the judge"));
         }
