@@ -166,9 +166,9 @@ fn compare(s: &composed::Scene, forces: f64, solved: &Solved, told: &Told) -> Re
             continue;
         }
         let Some((_, _, want, size)) = told.values.iter().find(|v| v.0 == name && v.1 == of) else {
-            // Of what a couple does not move the judge tells no power.
-            let idle = name == "power_couple" && e.value() == 0.0;
-            if !idle
+            // Of what stands still, or stops at once, the judge tells no power.
+            let power = ["power_couple", "power_pull"].contains(&name);
+            if !power
                 && !["mu_required", "friction_if_rolled", "pin_angle", "slip_speed", "a_rolling"]
                     .contains(&name)
             {
