@@ -166,18 +166,14 @@ fn compare(s: &composed::Scene, forces: f64, solved: &Solved, told: &Told) -> Re
             continue;
         }
         let Some((_, _, want, size)) = told.values.iter().find(|v| v.0 == name && v.1 == of) else {
-            // Of what stands still, or stops at once, the judge tells no power.
-            let power = ["power_couple", "power_pull"].contains(&name);
-            if !power
-                && !["mu_required", "friction_if_rolled", "pin_angle", "slip_speed", "a_rolling"]
-                    .contains(&name)
+            if !["mu_required", "friction_if_rolled", "pin_angle", "slip_speed", "a_rolling"].contains(&name)
             {
                 faults.push(format!("{name} of {of:?}: {:e} is published, the judge has none", e.value()));
             }
             continue;
         };
         let got = e.value();
-        let near = 1e-8 * e.cond.clamp(1.0, 1e6) * want.abs() + 1e-10 * size.abs() + 1e-12;
+        let near = 1e-8 * e.cond.clamp(1.0, 1e6) * want.abs() + 1e-10 * size.abs();
         if !(got == *want || (got - want).abs() <= near) {
             faults.push(format!("{name} of {of:?}: {got:e} is published, {want:e} by the judge"));
         }

@@ -806,7 +806,7 @@ impl Judge<'_> {
             {
                 return Verdict::Beyond("around a cylinder");
             }
-            if (self.leading(q, v).0 - start).abs() > 4.0 * std::f64::consts::PI || t > 60.0 {
+            if (self.leading(q, v).0 - start).abs() > 40.0 * std::f64::consts::PI || t > 60.0 {
                 return Verdict::NotReached;
             }
         }
@@ -892,12 +892,6 @@ fn judge(m: &Machine, text: &str) -> Result<Outcome, String> {
             Err(format!("{what}, and it is published"))
         }
         Verdict::Beyond(what) => Ok(Outcome::Unjudged(what)),
-        // The judge looks within two turns.
-        Verdict::NotReached
-            if reached && solved.entries.iter().any(|e| is_far(e.label.quantity.name(), e.value())) =>
-        {
-            Ok(Outcome::Unjudged("more than two turns"))
-        }
         Verdict::NotReached if reached && solved.all_hold() => Err("it does not get there".into()),
         Verdict::NotReached => Ok(Outcome::NotReached),
         Verdict::Ends(..) if !reached || !solved.all_hold() => {
@@ -917,11 +911,6 @@ fn judge(m: &Machine, text: &str) -> Result<Outcome, String> {
 /// 1 where a direction leads up, or to the right on a level, else -1.
 fn up(u: V2) -> f64 {
     if u[1].abs() > 1e-9 { u[1].signum() } else { u[0].signum() }
-}
-
-/// Is this an angle of more than two turns, or nearly?
-fn is_far(name: &str, value: f64) -> bool {
-    ["phi", "angle"].contains(&name) && value.abs() > 11.0
 }
 
 /// Every quantity that is published against the judge.

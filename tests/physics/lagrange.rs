@@ -884,14 +884,18 @@ impl<'s> System<'s> {
     /// The powers of pulls and couples at these velocities.
     fn powers(&self, s: &Scene, v: &[f64]) -> Vec<(&'static str, Owner, f64, f64)> {
         let mut powers = Vec::new();
+        // What ties hold still beside what moves is still to rounding.
+        let speeds: f64 = v.iter().map(|v| v.abs()).sum();
+        let most = |row: &[f64]| speeds * row.iter().map(|x| x.abs()).sum::<f64>();
         for body in 0..self.frames.len() {
-            let turn = inner(&self.moving(body, true), v);
+            let row = self.moving(body, true);
+            let turn = inner(&row, v);
             let on = s.couples.iter().filter(|c| c.0 == body);
             let each: Vec<f64> =
                 on.map(|(_, m, forward)| if *forward { m.si * turn } else { -m.si * turn }).collect();
             if !each.is_empty() {
-                let size = each.iter().map(|power| power.abs()).sum();
-                powers.push(("power_couple", Owner::Body(body), each.iter().sum(), size));
+                let size: f64 = s.couples.iter().filter(|c| c.0 == body).map(|c| c.1.si.abs()).sum();
+                powers.push(("power_couple", Owner::Body(body), each.iter().sum(), size * most(&row)));
             }
         }
         for (t, tie) in s.ties.iter().enumerate() {
@@ -900,8 +904,7 @@ impl<'s> System<'s> {
                 let mut row = vec![0.0; self.cols()];
                 (row[3 * from.body], row[3 * from.body + 1]) = along;
                 row[3 * from.body + 2] = dot(quarter(point), along);
-                let size: f64 = row.iter().zip(v).map(|(x, v)| (x * v).abs()).sum();
-                powers.push(("power_pull", Owner::Tie(t), p.si * inner(&row, v), p.si * size));
+                powers.push(("power_pull", Owner::Tie(t), p.si * inner(&row, v), p.si * most(&row)));
             }
         }
         powers
@@ -1048,7 +1051,8 @@ impl<'s> System<'s> {
             && self.contacts.iter().filter(|c| c.said == Said::Slips).any(|c| held(&c))
         {
             // Nothing more is told of a contact that other ties hold.
-            return Verdict::Told(Told { values: self.velocities(&v), ..Told::default() });
+            let values = [self.velocities(&v), self.powers(s, &v)].concat();
+            return Verdict::Told(Told { values, ..Told::default() });
         }
         let mut ending = Ending::default();
         let mut legs: Vec<Stretch> = Vec::new();
