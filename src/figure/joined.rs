@@ -322,12 +322,7 @@ impl PlaneLayout {
         circles.dedup();
         for (centre, radius) in &mut circles {
             *radius = (*radius * self.scale).max(END);
-            board.circle(*centre, *radius, role);
-            if role == Role::Body && layout::is_open(this) {
-                let inner = 0.86 * *radius;
-                board.circle(*centre, inner, Role::Paper);
-                board.circle(*centre, inner, Role::Inner);
-            }
+            parts::rim(board, *centre, *radius, role == Role::Body && layout::is_open(this), role);
         }
         // What is round by its shape has no rod in it: a thin line shows how it has turned.
         let inside = |p: Vec2| circles.iter().any(|(centre, radius)| (p - centre).norm() < radius + 1.0);

@@ -10,15 +10,20 @@ use std::f64::consts::PI;
 /// Radius at which the angle of a pull is drawn.
 const TILT: f64 = 34.0;
 
+/// What is round; a hoop (`open`) has a hole.
+pub fn rim(board: &mut Board, centre: Vec2, outer: f64, open: bool, role: Role) {
+    board.circle(centre, outer, role);
+    if open {
+        board.circle(centre, outer - 7.0, Role::Paper);
+        board.circle(centre, outer - 7.0, Role::Inner);
+    }
+}
+
 /// The body's outer edge.
 pub fn outline(board: &mut Board, p: &Placed) {
     match &p.look {
         BodyLook::Wheel { outer, open, .. } => {
-            board.circle(p.centre, *outer, Role::Body);
-            if *open {
-                board.circle(p.centre, outer - 7.0, Role::Paper);
-                board.circle(p.centre, outer - 7.0, Role::Inner);
-            }
+            rim(board, p.centre, *outer, *open, Role::Body);
         }
         BodyLook::Block { along: a, across: b } => {
             let (f, t) = (p.forward * *a, p.top * *b);

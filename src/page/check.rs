@@ -133,7 +133,6 @@ pub fn solve(problem: &SheetProblem, file: &str) -> Result<CheckedProblem, Unsol
     let mut key = make_key::key(only, &variant);
     for part in &mut key.parts {
         let printed = problem.parts.iter().find(|p| p.id == part.part);
-        part.cond = None;
         let list = printed.and_then(|p| make_key::listed(&p.words));
         if let (Answer::Word { offered, .. }, Some(list)) = (&mut part.answer, list) {
             *offered = list;

@@ -124,7 +124,8 @@ fn entry(problem: &Problem, question: &Question, scene: &Scene, variant: &Varian
             key.eom = e.eom;
             key.energy = e.energy;
             key.gap = e.gap();
-            key.cond = Some(e.cond);
+            // A page works out none.
+            key.cond = Some(e.cond).filter(|cond| !cond.is_nan());
             key.bound = e.bound;
             (scene.as_asked(question.label, e.value()), e.scale)
         }

@@ -481,7 +481,7 @@ impl<'p> Maker<'p> {
     /// Condition numbers of what is asked.
     fn weigh(&self, case: usize, data: &[f64], half: &mut Half) {
         let asked = |label| self.problem.questions.iter().any(|q| q.label == label);
-        half.weigh::<Dd>(&self.problem.cases[case].scene, data, asked);
+        half.weigh(&self.problem.cases[case].scene, data, asked);
     }
 
     /// What is the same for all draws of a case.

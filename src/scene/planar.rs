@@ -503,9 +503,7 @@ impl Scene {
         let Some((lead, planar)) = self.lead().and_then(|lead| Some((lead, self.planar(lead)?))) else {
             return false;
         };
-        let centred = |spot: Spot| {
-            spot.body != lead || planar.points[spot.point].1 == [planar.centre, Place::At(Num::Fixed(0.0))]
-        };
+        let centred = |spot: Spot| spot.body != lead || planar.points[spot.point].1 == on_axis(planar.centre);
         let turned = |joint: &Joint| {
             let welded = matches!(joint.kind, JointKind::Hinge { turned_deg: Some(_), .. });
             (welded || joint.kind.rolls()[0]) && joint.kind.spots().any(|spot| spot.body == lead)
@@ -519,7 +517,7 @@ impl Scene {
             && self.joints.iter().any(|joint| joint.kind.rubs_on(lead))
             && self.joints.iter().all(|joint| joint.kind.spots().all(centred) && !turned(joint))
             // A line that turns with it changes place.
-            && self.joints.iter().all(|joint| joint.kind.carrier().is_none_or(|on| on.body != lead))
+            && self.joints.iter().filter_map(|joint| joint.kind.carrier()).all(|on| on.body != lead)
             && self.pushes.iter().all(|push| centred(push.at) && !(push.turns && push.at.body == lead))
             && self.struts.iter().all(springs)
     }

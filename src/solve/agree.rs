@@ -44,7 +44,7 @@ pub struct Half {
 /// equations that do not determine the motion, two roads that differ by more than `16 u max(1, cond)`.
 pub fn solve(scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
     let mut half = first(scene, data, Scope::ALL)?;
-    half.weigh::<Dd>(scene, data, |_| true);
+    half.weigh(scene, data, |_| true);
     half.confirm(scene, data)
 }
 
@@ -292,11 +292,11 @@ impl Half {
     }
 
     /// Computes condition numbers, those of these quantities, at the cost of a few roads in doubles for each datum.
-    pub fn weigh<T: Real>(&mut self, scene: &Scene, data: &[f64], of: impl Fn(Label) -> bool) {
+    pub fn weigh(&mut self, scene: &Scene, data: &[f64], of: impl Fn(Label) -> bool) {
         let (course, scales) = (self.course, self.solved.scales);
         let weighed: Vec<Entry> = self.own().entries.iter().filter(|e| of(e.label)).copied().collect();
         let conds = in_scales(scales, scene, data, |scene, data| {
-            Ok(condition::numbers::<T>(scene, data, course, &weighed))
+            Ok(condition::numbers(scene, data, course, &weighed))
         });
         let asked = self.own().entries.iter_mut().filter(|e| of(e.label));
         for (entry, cond) in asked.zip(conds.into_iter().flatten()) {
@@ -351,7 +351,7 @@ fn compared(
         }
         entry.energy = Some(energy);
         if entry.cond.is_nan() && !agree(eom, energy, 1.0) {
-            entry.cond = condition::numbers::<Dd>(scene, data, course, std::slice::from_ref(entry))[0];
+            entry.cond = condition::numbers(scene, data, course, std::slice::from_ref(entry))[0];
         }
         if !agree(eom, energy, entry.cond) {
             let allowed = 2.0 * EACH_ROAD * U * entry.cond.max(1.0);

@@ -8,7 +8,7 @@
 //! and time, so what these data do follows from what the others do.
 use crate::num::dd::pow2;
 use crate::num::eliminate::Equations;
-use crate::num::{NOISE, Real};
+use crate::num::{Dd, NOISE, Real};
 use crate::scene::{Scales, Scene, admissible, scales};
 use crate::solve::eom;
 use crate::solve::outcome::{Entry, Kind, Scope, Set, Told};
@@ -39,18 +39,17 @@ struct Changed<T: Real> {
 /// The roads with several sets of data.
 type Roads<'r, T> = &'r dyn Fn(&[Set], Scope) -> Vec<Option<Told<T>>>;
 
-/// Condition number of each entry, in numbers of this type where the rounding of doubles may tell: 0 if no datum moves it, infinite for a zero that some datum moves, or where no changed data
-/// have a solution.
-pub fn numbers<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> Vec<f64> {
-    // What is judged in doubles alone, in a page, needs no speed.
-    let follow = !T::is_double() && scene.lead().is_some();
+/// Condition number of each entry, in 32 digits where the rounding of doubles may tell: 0 if no datum moves it, infinite for a zero that
+/// some datum moves, or where no changed data have a solution.
+pub fn numbers(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> Vec<f64> {
+    let follow = scene.lead().is_some();
     let doubles = |sets: &[Set], asked| eom::roads(scene, sets, asked);
     let (mut conds, rounded) = quotients::<f64>(scene, data, kind, entries, &doubles, follow);
-    if !T::is_double() && rounded.contains(&true) {
+    if rounded.contains(&true) {
         let each = |sets: &[Set], asked| {
             sets.iter().map(|data| eom::road_of(scene, data, asked).ok().map(Told::Alone)).collect()
         };
-        let (finer, _) = quotients::<T>(scene, data, kind, entries, &each, follow);
+        let (finer, _) = quotients::<Dd>(scene, data, kind, entries, &each, follow);
         for ((cond, finer), _) in conds.iter_mut().zip(finer).zip(rounded).filter(|(_, rounded)| *rounded) {
             *cond = finer;
         }

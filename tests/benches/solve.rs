@@ -68,7 +68,7 @@ fn condition_numbers(b: divan::Bencher, slip: bool) {
     let half = slipstick::solve::agree::first(&scene, &data, slipstick::solve::outcome::Scope::ALL)
         .expect("a wheel that is pulled");
     b.with_inputs(|| half.clone())
-        .bench_values(|mut half| half.weigh::<slipstick::num::Dd>(divan::black_box(&scene), &data, |_| true));
+        .bench_values(|mut half| half.weigh(divan::black_box(&scene), &data, |_| true));
 }
 #[divan::bench(args = [false, true])]
 fn eom_values(b: divan::Bencher, slip: bool) {

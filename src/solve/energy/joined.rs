@@ -18,7 +18,7 @@ use crate::num::half::Half;
 use crate::num::jet::Followed;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
-use crate::num::{Dd, Jet, Real, ball, root};
+use crate::num::{Dd, Jet, Real, ball, root, trig};
 use crate::scene::pose::{self, Layout, Obstacle, Pose};
 use crate::scene::{
     Acts, End, Joint, JointKind, Num, Numbers, Owner, Place, Quantity, Rest, Scene, Spot, Strut, StrutEnd,
@@ -865,15 +865,10 @@ impl<'a, T: Real> Account<'a, T> {
         }
         self.say(road, Quantity::Phi, Owner::Body(self.lead), open(self.layout.turned(way)));
         if let Some(lead) = scene.ends_at_an_angle() {
-            let degrees = |way: T| way * T::constant(Dd::new(180.0) / Dd::PI);
             let start = scene.planar(lead).and_then(|p| p.start_deg).map_or_else(T::zero, |x| self.n.get(x));
-            let reached = plant!("energy: angle at the end", start.balance(degrees(way).signed(self.sense)));
-            self.say(
-                road,
-                Quantity::Angle,
-                Owner::Body(lead),
-                open(reached * T::constant(Dd::PI / Dd::new(180.0))),
-            );
+            let start = start * trig::radians_per_degree();
+            let reached = plant!("energy: angle at the end", start.balance(way.signed(self.sense)));
+            self.say(road, Quantity::Angle, Owner::Body(lead), open(reached));
         }
         let poses = self.at(&place)?;
         let places = self.between(from.0, &poses, &place);
