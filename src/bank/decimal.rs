@@ -2,6 +2,7 @@
 use crate::bank::node::shorten;
 use crate::finding::told;
 use crate::units::TENS;
+use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;
 
 /// Most decimals of a datum.
@@ -10,7 +11,7 @@ const MAX_DECIMALS: u8 = 12;
 pub const MAX_DIGITS: usize = 15;
 
 /// A decimal number: `value` times 10^-`decimals`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Decimal {
     /// The digits.
     pub value: i64,

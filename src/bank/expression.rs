@@ -9,6 +9,7 @@ use crate::num::decimal::nearest;
 use crate::num::formula::{self, Formula};
 use crate::num::trig;
 use crate::scene::Label;
+use serde::{Deserialize, Serialize};
 
 /// Exponents of the base units, in quarters, so that square roots stay whole; the angle is left out.
 pub type Exponents = [i32; 3];
@@ -19,7 +20,7 @@ const DEPTH: usize = (formula::STACK - 8) / 2;
 const LENGTH: usize = 400;
 
 /// An expression, ready to be evaluated without allocation.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Expression {
     formula: Formula<Name>,
     /// Dimension of the value.
@@ -27,7 +28,7 @@ pub struct Expression {
 }
 
 /// What a name means.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Name {
     /// A datum, and whether it is held in degrees: expressions count angles in radians.
     Datum(usize, bool),

@@ -1,5 +1,5 @@
 //! sheet.json as it is read: the file, and the problem that it puts, as the tree of a bank with the drawn data in their place.
-use crate::bank::node::{self, Node, WHOLE};
+use crate::bank::node::{self, Node};
 use crate::finding::{Finding, Findings, told};
 use serde_json::Value;
 
@@ -163,9 +163,7 @@ impl SheetProblem {
                 )),
             }
         }
-        if WHOLE {
-            bank.name_paths("");
-        }
+        bank.name_paths("");
         faults.into_result(Some(bank))
     }
 }
@@ -174,9 +172,8 @@ impl SheetProblem {
 fn node(value: &Value) -> Node {
     let value = match value {
         Value::String(written) => node::Value::Text(written.clone()),
-        // What a page opens was written for it, and all of it as texts.
-        Value::Bool(_) | Value::Number(_) if WHOLE => node::Value::Text(value.to_string()),
-        Value::Null | Value::Bool(_) | Value::Number(_) => node::Value::Empty,
+        Value::Bool(_) | Value::Number(_) => node::Value::Text(value.to_string()),
+        Value::Null => node::Value::Empty,
         Value::Array(items) => node::Value::List(items.iter().map(node).collect()),
         Value::Object(fields) => {
             node::Value::Map(fields.iter().map(|(name, value)| (Node::of_text(name), node(value))).collect())

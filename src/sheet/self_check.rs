@@ -3,6 +3,8 @@
 use crate::bank::{Bank, Problem};
 use crate::finding::Finding;
 use crate::misconception::catalogue::{Catalogue, CatalogueEntry};
+use crate::page::check::{PosedProblem, Unsolved};
+use crate::page::sheet_file::{SheetFile, SheetProblem};
 use crate::policy::Hints;
 use crate::problem::make_key;
 use crate::problem::maker::Variant;
@@ -27,6 +29,11 @@ const JUDGING: [&str; 3] = ["feedback", "sheet", "tutor"];
 const ON_THE_PAGE: [&str; 2] = ["page", "report.verdict"];
 
 static PACKED: LazyLock<String> = LazyLock::new(|| BASE64_STANDARD.encode(PROGRAM));
+/// Name of the program where it lies beside sheets. A sheet needs the very program with which it was made: others may lie beside it.
+pub static PROGRAM_NAME: LazyLock<String> = LazyLock::new(|| {
+    let digest = Sha256::digest(PROGRAM);
+    format!("check-{:02x}{:02x}{:02x}{:02x}.wasm.gz", digest[0], digest[1], digest[2], digest[3])
+});
 /// The script by its hash, so that no other runs.
 static HASH: LazyLock<String> = LazyLock::new(|| BASE64_STANDARD.encode(Sha256::digest(SCRIPT.as_bytes())));
 
@@ -91,7 +98,7 @@ impl<'t> SelfCheck<'t> {
         Self { words, hosting, used, phrases: json!(phrases) }
     }
 
-    /// The tools of one sheet. Errors: the text of sheet.json is none.
+    /// The tools of one sheet. Errors: the text of sheet.json is none, or not of this bank.
     pub fn tools(&self, bank: &Bank, problems: &[usize], handed: &Handed) -> Result<Tools, Finding> {
         let Handed { head, folder, sheet, variants } = handed;
         let chosen = || problems.iter().filter_map(|p| bank.problems.get(*p)).zip(*variants).enumerate();
@@ -107,8 +114,22 @@ impl<'t> SelfCheck<'t> {
         }
         let sheet: serde_json::Value = serde_json::from_str(sheet)
             .map_err(|e| Finding::new("sheet.json", format!("cannot be put into a page: {e}")))?;
+        let packed = |sheet: &SheetProblem| -> Result<String, Finding> {
+            let unfit = |why: &dyn std::fmt::Display| {
+                Finding::new("sheet.json", format!("cannot be put into a page: {why}"))
+            };
+            let posed = PosedProblem::of_sheet(sheet, "sheet.json").map_err(|why| match why {
+                Unsolved::Faults(faults) => unfit(&faults),
+                Unsolved::NoScene | Unsolved::Refused(..) => unfit(&"it carries no scene"),
+            })?;
+            posed.packed().map_err(|e| unfit(&e))
+        };
+        let file = SheetFile::of(&sheet)?;
         let data = json!({
-            "sheet": sheet,
+            "student": file.student,
+            "set": file.set,
+            "problems": file.problems.iter().map(packed).collect::<Result<Vec<_>, _>>()?,
+            "program": *PROGRAM_NAME,
             "phrases": self.phrases,
             "methods": self.methods(bank, &sheet),
             "words": words,

@@ -10,6 +10,7 @@ use crate::scene::{
     Scene, SpringTie, Taken, Term, admissible, pose,
 };
 use crate::solve::method::Method;
+use serde::{Deserialize, Serialize};
 use smallvec::SmallVec;
 #[cfg(feature = "program")]
 use std::rc::Rc;
@@ -129,7 +130,7 @@ macro_rules! check_kinds {
     ($($(#[$doc:meta])* $kind:ident $name:literal $unit:literal;)*) => {
         /// Which condition of validity, or which switch of the motion: an event at which another law takes over. Near a switch an
         /// answer may jump although its condition number is small, so draws keep away from it by a margin.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
         pub enum CheckKind { $($(#[$doc])* $kind,)* }
         impl CheckKind {
             /// All of them.

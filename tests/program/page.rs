@@ -9,7 +9,7 @@ use slipstick::grade::verdict::Verdict;
 use slipstick::key::{Answer, KeyEntry};
 use slipstick::misconception::catalogue::{Catalogue, CatalogueEntry};
 use slipstick::num::shown;
-use slipstick::page::check::{self, CheckedProblem};
+use slipstick::page::check::{self, CheckedProblem, PosedProblem};
 use slipstick::page::sheet_file::SheetFile;
 use slipstick::sheet::self_check::PROGRAM;
 use slipstick::words::Words;
@@ -204,7 +204,7 @@ fn made(room: &Path, language: &'static str, banks: &[(String, String)]) -> Vec<
         let parts: Vec<(String, &CheckedProblem, usize)> = solved
             .iter()
             .flat_map(|p| {
-                p.key.parts.iter().enumerate().map(move |(i, e)| (format!("{}.{}", p.number, e.part), p, i))
+                p.key.parts.iter().enumerate().map(move |(i, e)| (format!("{}.{}", p.posed.number, e.part), p, i))
             })
             .collect();
         let round = |cell: &mut dyn FnMut(&KeyEntry) -> String| -> Vec<Case> {
@@ -337,9 +337,8 @@ fn the_ladder_of_hints_is_that_of_check() {
     );
     let data = data_of(&std::fs::read_to_string(at("none/students/0017/sheet.html")).unwrap());
     assert_eq!(data["methods"], serde_json::json!({}));
-    let sheet = SheetFile::of(&data["sheet"]).unwrap();
     let mut signs = 0;
-    for problem in sheet.problems.iter().map(|p| check::solve(p, "sheet").unwrap()) {
+    for problem in posed(&data) {
         for (index, entry) in problem.key.parts.iter().enumerate() {
             let Answer::Number { value, .. } = entry.answer else { continue };
             let cell = entry.unit.text_with(&entry.unit.from_si(-value).to_string());
@@ -395,6 +394,12 @@ fn the_program_of_the_page_answers_in_node_what_check_answers() {
     assert!(judged > 2 * RANDOM, "{judged} answers");
 }
 
+/// The problems of a page, solved.
+fn posed(data: &serde_json::Value) -> impl Iterator<Item = CheckedProblem> {
+    let problems = data["problems"].as_array().unwrap().iter();
+    problems.map(|packed| PosedProblem::unpacked(packed.as_str().unwrap()).unwrap().solved().unwrap())
+}
+
 /// A page to practise with: its file, and right answers to its problems in their order.
 fn practice(file: &str) -> serde_json::Value {
     let problems = "pulled-rolling,spring-released";
@@ -415,12 +420,10 @@ fn practice(file: &str) -> serde_json::Value {
     assert!(out.contains("4 problems (seed 5)"), "{out}");
     let words = Words::built_in("en").unwrap();
     let data = data_of(&std::fs::read_to_string(file).unwrap());
-    let sheet = SheetFile::of(&data["sheet"]).unwrap();
-    let solved = sheet.problems.iter().map(|p| check::solve(p, "sheet").unwrap());
-    let tasks: Vec<_> = solved
+    let tasks: Vec<_> = posed(&data)
         .map(|p| {
             let answer =
-                |e: &KeyEntry| serde_json::json!([format!("{}.{}", p.number, e.part), right(e, words)]);
+                |e: &KeyEntry| serde_json::json!([format!("{}.{}", p.posed.number, e.part), right(e, words)]);
             p.key.parts.iter().map(answer).collect::<Vec<_>>()
         })
         .collect();
