@@ -309,26 +309,37 @@ impl Relative {
 /// Greatest rounding error of a number of tenths of a per cent that is whole but for doubles.
 const ROUNDING: f64 = 1e-6;
 
+pub mod decimal;
+pub(crate) mod draw;
+pub(crate) mod expression;
+pub(crate) mod measure;
+pub(crate) mod need;
+pub(crate) mod node;
+
+// What reads banks. A page gets its problems as they were read.
+#[cfg(feature = "program")]
 pub(crate) mod any;
+#[cfg(feature = "program")]
 pub mod asked;
 #[cfg(feature = "program")]
 pub mod built_in;
 #[cfg(feature = "program")]
 pub mod course;
-pub mod decimal;
-pub(crate) mod draw;
-pub(crate) mod expression;
+#[cfg(feature = "program")]
 pub(crate) mod inverse;
+#[cfg(feature = "program")]
 pub mod labels;
+#[cfg(feature = "program")]
 pub mod load;
-pub(crate) mod measure;
+#[cfg(feature = "program")]
 pub(crate) mod mistake;
-pub(crate) mod need;
-pub(crate) mod node;
 #[cfg(feature = "program")]
 pub mod overlay;
+#[cfg(feature = "program")]
 pub(crate) mod scene;
+#[cfg(feature = "program")]
 pub(crate) mod schema;
+#[cfg(feature = "program")]
 pub(crate) mod soundness;
 #[cfg(feature = "program")]
 pub(crate) mod synonyms;

@@ -60,11 +60,8 @@ pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
         match found {
             Some(i) => asked.push((name.trim(), i, part, cell)),
             None => {
-                let known: Vec<String> = sheet
-                    .problems
-                    .iter()
-                    .map(|p| format!("{} ({})", p.number, p.id))
-                    .collect();
+                let known: Vec<String> =
+                    sheet.problems.iter().map(|p| format!("{} ({})", p.number, p.id)).collect();
                 let fault = Finding::new("", format!("`{name}`: the sheet has no problem `{problem}`"));
                 faults.push(listed_once(fault, format!("its problems: {}", known.join(", ")), &faults));
             }

@@ -204,7 +204,11 @@ fn made(room: &Path, language: &'static str, banks: &[(String, String)]) -> Vec<
         let parts: Vec<(String, &CheckedProblem, usize)> = solved
             .iter()
             .flat_map(|p| {
-                p.key.parts.iter().enumerate().map(move |(i, e)| (format!("{}.{}", p.posed.number, e.part), p, i))
+                p.key
+                    .parts
+                    .iter()
+                    .enumerate()
+                    .map(move |(i, e)| (format!("{}.{}", p.posed.number, e.part), p, i))
             })
             .collect();
         let round = |cell: &mut dyn FnMut(&KeyEntry) -> String| -> Vec<Case> {
