@@ -179,7 +179,7 @@ struct Parser<'a> {
 
 impl Parser<'_> {
     fn trouble(&self, message: impl Into<String>) -> ExpressionFault {
-        ExpressionFault { column: self.at + 1, message: format!("{}", message.into()), hint: None }
+        ExpressionFault { column: self.at + 1, message: message.into(), hint: None }
     }
     fn unexpected(&self, found: char) -> ExpressionFault {
         let mut fault = self.trouble(format!("`{found}` is not expected here"));

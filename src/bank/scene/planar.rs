@@ -163,8 +163,7 @@ impl SceneReader<'_> {
             let kind = match (held.next(), held.next()) {
                 (Some((word, n)), None) => self.joint(word, n, &mut fields, bodies),
                 _ => {
-                    let words =
-                        format!("{}", JOINTS.map(|(word, what)| format!("`{word}` ({what})")).join(", "));
+                    let words = JOINTS.map(|(word, what)| format!("`{word}` ({what})")).join(", ");
                     f.refuse_with(value, format!("`{name}` has to say what it holds"), words)
                 }
             };
