@@ -1,8 +1,8 @@
 //! A problem of a sheet file solved anew, and what becomes of an answer to one of its parts.
-use crate::bank::Problem;
 use crate::bank::decimal::Decimal;
+use crate::bank::{Draw, Problem};
 #[cfg(feature = "program")]
-use crate::bank::{Draw, Relative};
+use crate::bank::{Question, Relative};
 use crate::finding::{Finding, Findings};
 use crate::grade::verdict::Verdict;
 use crate::key::{Answer, ProblemKey};
@@ -28,8 +28,6 @@ pub struct PosedProblem {
     pub number: usize,
     /// The problem.
     pub problem: Problem,
-    /// The drawn data of each case, as they are printed; `None` for what is not given.
-    given: Vec<Vec<Option<Decimal>>>,
     /// The words that each question offers, where they are not the usual ones.
     words: Vec<Vec<String>>,
     /// How far hints go.
@@ -103,9 +101,10 @@ pub struct Checked {
 }
 
 impl PosedProblem {
-    /// Reads a problem of a sheet; `file` is the name shown in findings. Errors: it carries no scene, or the scene cannot be read.
+    /// Reads the scene of a sheet; `file` is the name shown in findings. Of its student it has no more than the data of the scene.
+    /// Errors: it carries no scene, or the scene cannot be read.
     #[cfg(feature = "program")]
-    pub fn of_sheet(sheet: &SheetProblem, file: &str) -> Result<Self, Unsolved> {
+    pub fn read(sheet: &SheetProblem, file: &str) -> Result<Self, Unsolved> {
         let Some(tree) = sheet.bank_tree().map_err(Unsolved::Faults)? else { return Err(Unsolved::NoScene) };
         // A sheet of an earlier version may hold its scene as the bank says it.
         let tree = crate::bank::synonyms::put_in(tree);
@@ -113,17 +112,25 @@ impl PosedProblem {
         if bank.problems.is_empty() {
             return Err(Unsolved::Faults(Finding::new("scene", "holds no problem").into()));
         }
-        let mut problem = bank.problems.swap_remove(0);
-        let given = problem.cases.iter().map(|case| {
-            let draws = case.draws.iter();
-            draws.map(|d| match d {
-                Some(Draw::Always { value, decimals }) => {
-                    Some(Decimal { value: *value, decimals: *decimals })
+        let problem = bank.problems.swap_remove(0);
+        let (words, hints, reveal) = (Vec::new(), bank.grading.hints, bank.reveal);
+        Ok(Self { number: sheet.number, problem, words, hints, reveal })
+    }
+
+    /// The same scene with all that one sheet says: number, data, tolerances and words.
+    #[cfg(feature = "program")]
+    pub fn put_to(&self, sheet: &SheetProblem) -> Self {
+        let mut problem = self.problem.clone();
+        for (i, datum) in problem.data.iter().enumerate() {
+            let said = sheet.data.iter().find(|(symbol, _)| *symbol == datum.symbol);
+            let said = said.and_then(|(_, said)| Decimal::parse(&said.as_ref()?[0]));
+            let Some(Decimal { value, decimals }) = said else { continue };
+            for case in &mut problem.cases {
+                if let Some(Some(draw @ Draw::Always { .. })) = case.draws.get_mut(i) {
+                    *draw = Draw::Always { value, decimals };
                 }
-                _ => None,
-            })
-        });
-        let given = given.map(Iterator::collect).collect();
+            }
+        }
         let part = |id: &str| sheet.parts.iter().find(|part| part.id == id);
         // A tolerance that widens with the condition number stands on the sheet.
         for question in &mut problem.questions {
@@ -132,10 +139,9 @@ impl PosedProblem {
                 question.relative = Relative::Fixed(share.clamp(least, most));
             }
         }
-        let words = problem.questions.iter().map(|q| part(&q.id).map_or_else(Vec::new, |p| p.words.clone()));
-        let words = words.collect();
-        let (hints, reveal) = (bank.grading.hints, bank.reveal);
-        Ok(Self { number: sheet.number, problem, given, words, hints, reveal })
+        let words = |q: &Question| part(&q.id).map_or_else(Vec::new, |p| p.words.clone());
+        let words = problem.questions.iter().map(words).collect();
+        Self { number: sheet.number, problem, words, ..*self }
     }
 
     /// For a page: as bytes in text.
@@ -152,7 +158,15 @@ impl PosedProblem {
     /// The problem with its key. Errors: the data are no motion.
     pub fn solved(self) -> Result<CheckedProblem, Unsolved> {
         // A contact may be left open: what happens is the case in which what was assumed of it holds.
-        let mut cases = self.given.iter().enumerate().map(|(i, given)| of_sheet(&self.problem, i, given));
+        let given = |draw: &Option<Draw>| match draw {
+            Some(Draw::Always { value, decimals }) => Some(Decimal { value: *value, decimals: *decimals }),
+            _ => None,
+        };
+        let cases = self.problem.cases.iter().enumerate();
+        let mut cases = cases.map(|(i, case)| {
+            let given: Vec<Option<Decimal>> = case.draws.iter().map(given).collect();
+            of_sheet(&self.problem, i, &given)
+        });
         let no_case = || Unsolved::Faults(Finding::new("scene", "holds no problem").into());
         let first = cases.next().ok_or_else(no_case)?;
         let holds = |v: &Variant| v.solved.all_hold() && !v.solved.regime.slips;
@@ -178,5 +192,5 @@ impl PosedProblem {
 /// Errors: it carries no scene, the scene cannot be read, or its data are no motion.
 #[cfg(feature = "program")]
 pub fn solve(problem: &SheetProblem, file: &str) -> Result<CheckedProblem, Unsolved> {
-    PosedProblem::of_sheet(problem, file)?.solved()
+    PosedProblem::read(problem, file)?.put_to(problem).solved()
 }

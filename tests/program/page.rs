@@ -10,7 +10,7 @@ use slipstick::key::{Answer, KeyEntry};
 use slipstick::misconception::catalogue::{Catalogue, CatalogueEntry};
 use slipstick::num::shown;
 use slipstick::page::check::{self, CheckedProblem, PosedProblem};
-use slipstick::page::sheet_file::SheetFile;
+use slipstick::page::sheet_file::{SheetFile, SheetProblem};
 use slipstick::sheet::self_check::PROGRAM;
 use slipstick::words::Words;
 use std::fmt::Write as _;
@@ -180,7 +180,7 @@ fn others(room: &Path) -> Vec<(String, String)> {
 /// A sheet of every problem of each bank in a language, with answers and what the program says of them.
 fn made(room: &Path, language: &'static str, banks: &[(String, String)]) -> Vec<Made> {
     let roster = room.join("roster.csv");
-    std::fs::write(&roster, "student,name\n0017,Amina Yusuf\n").unwrap();
+    std::fs::write(&roster, "student,name\n0017,Amina Yusuf\n0023,Ben Okoro\n").unwrap();
     let words = Words::built_in(language).unwrap();
     let catalogue = Catalogue::shared(language);
     let find = |id: &str| catalogue.get(id).map(CatalogueEntry::words);
@@ -198,6 +198,20 @@ fn made(room: &Path, language: &'static str, banks: &[(String, String)]) -> Vec<
             continue;
         }
         assert_eq!(exit, Exit::Fine, "{err}");
+        // A page holds what its sheet says, whichever sheet of the scene was read first.
+        for student in std::fs::read_dir(out.join("students")).unwrap().map(|entry| entry.unwrap().path()) {
+            let text = |name: &str| std::fs::read_to_string(student.join(name)).unwrap();
+            let sheet = SheetFile::parse(&text("sheet.json")).unwrap();
+            let packed =
+                |p: &SheetProblem| PosedProblem::read(p, "sheet").unwrap().put_to(p).packed().unwrap();
+            let packed: Vec<String> = sheet.problems.iter().map(packed).collect();
+            assert_eq!(
+                data_of(&text("sheet.html"))["problems"],
+                serde_json::json!(packed),
+                "{}",
+                student.display()
+            );
+        }
         let folder = out.join("students/0017");
         let sheet = SheetFile::parse(&std::fs::read_to_string(folder.join("sheet.json")).unwrap()).unwrap();
         let solved: Vec<_> = sheet.problems.iter().map(|p| check::solve(p, "sheet").unwrap()).collect();
