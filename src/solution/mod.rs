@@ -33,6 +33,7 @@ macro_rules! stands_on {
 mod account;
 mod asked;
 mod beware;
+mod blow;
 pub mod by_hand;
 pub mod draft;
 mod expr;
