@@ -6,14 +6,12 @@ use crate::solution::draft::Detail;
 use crate::solution::expr::{Expr, SymbolId, ZERO, in_sense, length, positive_first, ratio, square, sum};
 use crate::solution::factors::{Cancel, Factors, Sum};
 use crate::solution::order::{Row, needed};
-use crate::solution::page::Step;
+use crate::solution::page::{Pieces, Step};
 use crate::solution::plane::{
     END, NOTHING, Plane, PlaneBody, Point, Pull, ROUNDING, START, Vector, cross, left, less, product, vector,
 };
 use crate::solution::stop::DerivationStop;
 use crate::solution::terms::tagged;
-use crate::solution::text::LINE;
-use crate::solution::written::width;
 
 /// The conditions of the joints are written out where there are no more of them.
 const FEW: usize = 4;
@@ -553,30 +551,32 @@ impl Plane<'_, '_> {
         let Some(blow) = self.blow.clone() else { return };
         for (sentence, rows) in &blow.told {
             self.page.add(sentence.clone());
-            let lines = rows.iter().map(|(l, r)| self.equation(l, r)).collect();
-            self.page.formulas_or_one(lines);
+            self.page.equations_or_one(rows);
         }
         // What was solved for together comes before what follows from it.
         let solved =
             blow.together.iter().filter(|s| self.symbols.value(**s) != 0.0).map(|s| (*s, (*s).into()));
         // What the joints give has been told; its number is shown where it is asked.
-        let asked: Vec<Owner> = self.needed().iter().map(|label| label.of).collect();
-        let owned = |s: &SymbolId| {
-            let own = |b: &PlaneBody| b.a.contains(s) || b.alpha == Some(*s);
-            blow.bodies.iter().position(own).is_none_or(|b| asked.contains(&Owner::Body(b)))
-        };
-        let told = |s: &SymbolId| {
-            self.symbols.value(*s) != 0.0
-                && (!blow.held.contains(s) || self.scene.end == End::AtOnce && owned(s))
-        };
-        let steps = blow.steps.iter().filter(|step| told(&step.symbol));
-        let all: Vec<(SymbolId, Expr)> =
-            solved.chain(steps.map(|step| (step.symbol, step.from.clone()))).collect();
-        let lines = all.into_iter().map(|(s, from)| {
-            let line = self.chain(s, &from);
-            if width(&line) > LINE && !line.contains('&') { self.chain(s, &s.into()) } else { line }
+        let needed = self.needed();
+        let asked = needed.iter().filter_map(|label| match label.of {
+            Owner::Body(b) => Some(b),
+            Owner::Spot(spot) => Some(spot.body),
+            _ => None,
         });
-        let lines: Vec<String> = lines.collect();
+        let asked: Vec<usize> = asked.collect();
+        let owned = |step: &Step| {
+            let own = |b: &PlaneBody| b.a.contains(&step.symbol) || b.alpha == Some(step.symbol);
+            let asked = blow.bodies.iter().position(own).is_none_or(|b| asked.contains(&b));
+            asked || matches!(step.from, Expr::Sum(_))
+        };
+        let told = |step: &&Step| {
+            let moves = self.symbols.value(step.symbol) != 0.0;
+            moves && (!blow.held.contains(&step.symbol) || self.scene.end == End::AtOnce && owned(step))
+        };
+        let steps = blow.steps.iter().filter(told);
+        let all: Vec<(SymbolId, Expr)> =
+            solved.chain(steps.map(|step| (step.symbol, self.moving(&blow, &step.from)))).collect();
+        let lines: Vec<String> = all.into_iter().map(|(s, from)| self.chain(s, &from)).collect();
         let name = if self.impact() { "impact.so" } else { "joined.together_blow" };
         self.say(name, &[]);
         self.page.formulas(lines);
@@ -626,7 +626,8 @@ impl Plane<'_, '_> {
                 self.symbols.place(e, own);
                 self.rough(value, unit)
             });
-            self.say("impact.limits_e", &[("what", &symbol), ("soft", &soft), ("hard", &hard)]);
+            let pieces: Pieces = &[("e", &e), ("what", &symbol), ("soft", &soft), ("hard", &hard)];
+            self.say("impact.limits_e", pieces);
             return Ok(());
         }
         let mut arrives =
@@ -653,31 +654,34 @@ impl Plane<'_, '_> {
         let (names, is) = match (label.quantity, label.of) {
             (Q::VX | Q::VY, Owner::Body(b)) => {
                 let i = usize::from(label.quantity == Q::VY);
-                let Some(frame) = blow.frame.clone() else { return Some(it(b).a[i]) };
-                let shares = frame.iter().zip(it(b).a).map(|(unit, v)| unit[i].times(v).expr());
-                (
-                    ["v", "u"].map(|l| tagged(l, &format!("{}{}s", it(b).tag, ["x", "y"][i]))),
-                    positive_first(shares),
-                )
+                let Some(frame) = &blow.frame else { return Some(it(b).a[i]) };
+                let shares =
+                    frame.iter().zip(it(b).a).map(|(unit, v)| unit[i].times(self.unless_zero(v)).expr());
+                let tag = format!("{}{}s", it(b).tag, ["x", "y"][i]);
+                (self.unused(["v", "u"].map(|l| tagged(l, &tag))), positive_first(shares))
             }
             (Q::V, Owner::Body(b)) => {
                 let moving = it(b).a.into_iter().filter(|v| self.symbols.value(*v) != 0.0);
-                let is = match moving.collect::<Vec<_>>()[..] {
-                    [] => ZERO,
-                    [one] => return Some(self.page.sized(one)),
-                    _ => length(it(b).a[0], it(b).a[1]),
-                };
-                (["v", "u"].map(|l| tagged(l, &it(b).tag)), is)
+                if let [one] = moving.collect::<Vec<_>>()[..] {
+                    return Some(self.page.sized(one));
+                }
+                let [x, y] = it(b).a.map(|v| self.unless_zero(v));
+                (self.unused(["v", "u"].map(|l| tagged(l, &it(b).tag))), length(x, y))
             }
             (Q::Omega, Owner::Body(b)) => return Some(self.page.sized(it(b).alpha?)),
             (Q::V, Owner::Spot(spot)) => {
                 let away = less(&self.spot(spot), &self.centre(spot.body));
-                let [x, y] = self.places(&away, END);
-                let spin = it(spot.body).alpha.map_or(ZERO, Expr::from);
+                let away = self.places(&away, END);
+                let away =
+                    blow.frame.as_ref().map_or(away.clone(), |f| [0, 1].map(|i| product(&away, &f[i])));
+                let [x, y] = away.map(|x| x.expr());
+                let spin = it(spot.body).alpha.map_or(ZERO, |w| self.unless_zero(w));
                 let spin = in_sense(spin, f64::from(self.sense_of(spot.body)));
-                let [a, b] = it(spot.body).a;
+                let [a, b] = it(spot.body).a.map(|v| self.unless_zero(v));
                 let name = self.scene.point_name(spot).map_or("P", |n| n.1);
-                (["v", "u"].map(|l| tagged(l, name)), length(a - y.expr() * &spin, b + x.expr() * spin))
+                let names = ["v", "u"].map(|l| tagged(l, name));
+                let own = ["v", "u"].map(|l| tagged(l, &format!("{name}{}", it(spot.body).tag)));
+                (self.unused([names, own].concat()), length(a - y * &spin, b + x * spin))
             }
             (Q::KineticEnergy, _) => {
                 return Some(self.page.find_once(&["E_s", r"E_{\mathrm{kin}}"], "J", blow.after.clone()));
@@ -685,6 +689,20 @@ impl Plane<'_, '_> {
             _ => return None,
         };
         Some(self.page.find_once(&names, label.quantity.unit(), is))
+    }
+    /// An expression without the velocities that are 0.
+    fn moving(&self, blow: &Blow, of: &Expr) -> Expr {
+        let velocities = blow.bodies.iter().flat_map(|b| b.a.into_iter().chain(b.alpha));
+        let none = velocities.filter(|v| self.symbols.value(*v) == 0.0);
+        none.fold(of.clone(), |all, v| all.put(v, &ZERO))
+    }
+    /// A quantity, or 0 where it is that.
+    fn unless_zero(&self, symbol: SymbolId) -> Expr {
+        if self.symbols.value(symbol) == 0.0 { ZERO } else { symbol.into() }
+    }
+    /// Those of these names that no quantity bears yet.
+    fn unused(&self, names: impl IntoIterator<Item = String>) -> Vec<String> {
+        names.into_iter().filter(|name| self.symbols.named(&[name]).is_none()).collect()
     }
     /// The impulse of a joint, to the right or up where it has both.
     pub fn impulse_of(&mut self, blow: &Blow, joint: usize, quantity: Quantity) -> Option<SymbolId> {

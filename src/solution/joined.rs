@@ -344,15 +344,23 @@ impl<'d, 'a> Plane<'d, 'a> {
             let turn = &self.turns[i];
             let name = match turn.link.map(|(joint, _)| &self.scene.joints[joint]) {
                 Some(joint) => self.phrase("joined.link", &[("name", &joint.name)]),
+                None if turn.slides => self.bodies.iter().find(|b| b.tag == turn.tag)?.name.clone(),
                 None => self.bodies.iter().find(|b| b.turn == Some(i))?.name.clone(),
             };
             let mut symbols: Vec<SymbolId> = turn.at.iter().filter(|e| own(e)).flat_map(Expr::uses).collect();
             symbols.dedup();
             let list: Vec<String> = symbols.iter().map(|s| self.shown(*s)).collect();
-            Some((symbols.is_empty(), format!("{name} {}", list.join(", "))))
+            Some((turn.slides, symbols.is_empty(), format!("{name} {}", list.join(", "))))
         });
-        let angles: Vec<(bool, String)> = angles.collect();
+        let (slides, angles): (Vec<_>, Vec<_>) = angles.partition(|(slides, ..)| *slides);
+        let slides: Vec<String> = slides.into_iter().map(|(.., place)| place).collect();
+        if !slides.is_empty() {
+            self.say("joined.slides", &[("places", &slides.join("; "))]);
+        }
+        let angles: Vec<(bool, String)> = angles.into_iter().map(|(_, none, text)| (none, text)).collect();
         if angles.iter().all(|(none, _)| *none) {
+            let loops: Vec<String> = self.loops.iter().map(|[a, b]| format!("{a} = {b}")).collect();
+            self.formulas_or_one(loops);
             return;
         }
         let angles: Vec<String> = angles.into_iter().map(|(_, angle)| angle).collect();
@@ -671,7 +679,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             pieces = vec![("radial", radial), ("across", across), ("pin", name)];
         }
         // The place has been named with the force of the spring.
-        let there = if self.instant() || sprung { "" } else { "_there" };
+        let there = if self.instant() || self.in_place() || sprung { "" } else { "_there" };
         let name = match (pivot.is_some(), self.radial()) {
             (false, _) if self.points() => "joined.point_senses",
             (false, _) => "joined.senses",
@@ -822,7 +830,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.skip_new();
         self.page.step(turned, way);
         self.page.step(rate, last.clone());
-        self.say("joined.in_place", &[("alpha", &alpha)]);
+        self.say("joined.in_place", &[("alpha", &self.shown(alpha))]);
         let after = if last == ZERO { Vec::new() } else { vec![rate] };
         self.tell([vec![turned], after].concat());
         if self.asks(Quantity::T) && !matches!(self.scene.end, End::Time(..)) {

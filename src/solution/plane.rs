@@ -34,6 +34,9 @@ pub const ROUNDING: f64 = 1e-12;
 /// Below this a component that is 0 is rounding, m.
 pub const NOTHING: f64 = 1e-12;
 
+/// What stands below the symbols of the two straight pieces of a cord over a pulley.
+const PIECES: [&str; 2] = ["a", "b"];
+
 pub type Vector = [Sum; 2];
 
 /// To the right and up.
@@ -52,9 +55,11 @@ pub struct Turn {
     from: [f64; 2],
     across: [f64; 2],
     /// What stands below its symbols.
-    tag: String,
+    pub tag: String,
     /// The joint of a light rod or a cord, which is no body, and its length.
     pub link: Option<(usize, SymbolId)>,
+    /// Is it no angle but a place along a guide, m?
+    pub slides: bool,
 }
 
 /// A coordinate of a place: a fixed part, and lengths times a cosine, a sine or an angle in radians.
@@ -68,7 +73,10 @@ pub struct Line {
 enum Wave {
     Cosine,
     Sine,
+    /// How far a wheel has turned.
     Way,
+    /// A place along a guide, which is no angle.
+    Slide,
 }
 
 impl Line {
@@ -296,16 +304,16 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Reads the scene.
     pub fn new(draft: &'d mut Draft<'a>) -> Result<Self, DerivationStop> {
         let Some(lead) = draft.scene.lead() else { return unfound() };
-        let carriers = draft.scene.joints.iter().filter_map(|j| j.kind.carrier());
-        let leads_on = |joint: &Joint| matches!(joint.kind, JointKind::Cord { beyond: Some(_), .. });
-        // Where nothing moves yet, or right after a blow, nothing asks how a line moves on with its body.
         let still = draft.scene.is_still();
         let rests = still && draft.scene.start_speeds().next().is_none();
         let in_place = draft.scene.spins_in_place();
-        if !rests && carriers.into_iter().any(|on| draft.scene.bodies[on.body].turns)
-            || !rests && draft.scene.joints.iter().any(leads_on)
-            || !still && !in_place && draft.scene.joints.iter().any(|joint| joint.kind.drum().is_some())
-        {
+        let bodies = &draft.scene.bodies;
+        // How a wheel rolls on a line or a cylinder that turns is not looked at while it moves.
+        let beyond = |kind: &JointKind| {
+            let turning = kind.carrier().is_some_and(|on| bodies[on.body].turns) && kind.rolls()[0];
+            !rests && turning || !still && !in_place && kind.drum().is_some()
+        };
+        if draft.scene.joints.iter().any(|joint| beyond(&joint.kind)) {
             return Err(Beyond::Mechanism.into());
         }
         let g = terms::gravity(draft);
@@ -605,14 +613,14 @@ impl<'d, 'a> Plane<'d, 'a> {
     pub fn line(&mut self, line: Straight) -> Vector {
         let unit = self.direction(line.direction_deg);
         match line.on {
-            Some(on) => self.turned_with(on.body, &unit),
+            Some(on) => self.turned_with(on.body, &unit, self.here),
             None => vector(&unit),
         }
     }
     /// A direction that counts from the axis of a body.
-    fn turned_with(&mut self, body: usize, [c, s]: &[Factors; 2]) -> Vector {
+    fn turned_with(&mut self, body: usize, [c, s]: &[Factors; 2], which: usize) -> Vector {
         let axis = self.axis_of(body);
-        let axis = self.places(&axis, self.here);
+        let axis = self.places(&axis, which);
         let across = left(&axis);
         [0, 1].map(|i| axis[i].times(c).plus(&across[i].times(s)))
     }
@@ -624,7 +632,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let from = self.scene.planar(body).map_or([1.0, 0.0], |p| p.from.components());
         let sense = if it.clockwise { -1.0 } else { 1.0 };
         let (across, tag) = ([-from[1] * sense, from[0] * sense], it.tag.clone());
-        self.turns.push(Turn { at, rate, from, across, tag, link: None });
+        self.turns.push(Turn { at, rate, from, across, tag, link: None, slides: false });
         self.turns.len() - 1
     }
     fn axis(&self, turn: usize) -> Point {
@@ -666,7 +674,9 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn at(&mut self, line: &Line, which: usize) -> Sum {
         let waves = line.waves.iter().map(|(size, turn, wave)| match wave {
             Wave::Way if which == START => Factors::zero(),
-            Wave::Way => size.times(self.turned()),
+            // What rolls by rolling keeps its ratio to the leading wheel.
+            Wave::Way => size.times(self.turned()).times(&self.turns[*turn].rate[END]),
+            Wave::Slide => size.times(&self.turns[*turn].at[which]),
             _ => size.times(self.wave(*turn, *wave, which, 0)),
         });
         let waves = waves.collect();
@@ -679,13 +689,13 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Its rate, per unit rate of the leading angle.
     fn rate(&self, line: &Line, which: usize) -> Sum {
         Sum::of(line.waves.iter().map(|(size, turn, wave)| match wave {
-            Wave::Way => size.times(&self.turns[*turn].rate[which]),
+            Wave::Way | Wave::Slide => size.times(&self.turns[*turn].rate[which]),
             _ => size.times(self.wave(*turn, *wave, which, 1)),
         }))
     }
     /// What its second derivative has per square of the leading rate, of one leading angle alone.
     fn bend(&self, line: &Line) -> Sum {
-        let waves = line.waves.iter().filter(|w| w.2 != Wave::Way);
+        let waves = line.waves.iter().filter(|w| !matches!(w.2, Wave::Way | Wave::Slide));
         Sum::of(waves.map(|(size, turn, wave)| size.times(self.wave(*turn, *wave, END, 2))))
     }
     pub fn places(&mut self, point: &Point, which: usize) -> Vector {
@@ -873,7 +883,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let tag = if plain.is_empty() { r"\ell".to_owned() } else { plain };
         let at = self.free_angle(&tag, degrees);
         let (from, across, link) = ([1.0, 0.0], [0.0, 1.0], Some((joint, length)));
-        self.turns.push(Turn { at, rate: [ONE, ONE], from, across, tag, link });
+        self.turns.push(Turn { at, rate: [ONE, ONE], from, across, tag, link, slides: false });
         Some((self.turns.len() - 1, Factors::of(&length.into())))
     }
     /// The angle of what leads this joint's point on a circle.
@@ -908,9 +918,19 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn slide(&mut self, turn: usize, way: &Point, own: &Point, (through, unit): (&Point, &[Factors; 2])) {
         let normal = left_of(unit);
         self.tie(&dot(&plus(way, own), &normal), &dot(through, &normal));
-        let (way, own) = (dot(way, &normal), dot(own, &normal));
+        self.keep_up(turn, [way, own], |_, _| (vector(&normal), Sum::default()));
+    }
+    /// Gives an angle its rate: what goes on the way, with what the angle adds to it, goes along a direction as fast as this says.
+    fn keep_up(
+        &mut self,
+        turn: usize,
+        [way, own]: [&Point; 2],
+        along: impl Fn(&mut Self, usize) -> (Vector, Sum),
+    ) {
         self.ratio(turn, |this, which| {
-            this.rate(&way, which).opposite().expr().over(this.rate(&own, which).expr())
+            let (unit, speed) = along(this, which);
+            let behind = speed.plus(&product(&this.rates(way, which), &unit).opposite());
+            behind.expr().over(product(&this.rates(own, which), &unit).expr())
         });
     }
     /// What goes on the way, with what one angle adds, meets what another one adds: this ties both, and gives their rates. Along one
@@ -1102,7 +1122,10 @@ impl<'d, 'a> Plane<'d, 'a> {
             known.iter().for_each(|(at, place)| self.put(body, at, place));
             return Ok(known.is_some());
         }
-        if known.is_none() && self.slotted(body, placed) {
+        if known.is_none() && (self.slotted(body, placed) || self.carried_by_wheel(body, placed)) {
+            return Ok(true);
+        }
+        if known.is_none() && (self.rolls_between(body, placed, angles) || self.roped(body, placed)) {
             return Ok(true);
         }
         let Some((at, place)) = known else { return Ok(false) };
@@ -1122,13 +1145,25 @@ impl<'d, 'a> Plane<'d, 'a> {
         let guided = self.guided(body, placed).into_iter().next();
         let pair = self.pair(body, placed);
         if track.is_none() && circle.is_none() && guided.is_none() && pair.is_none() {
+            let held = (&at, &place);
+            if self.turns_in_slot(body, held, placed, angles)
+                || self.turns_on_link(body, held, angles).is_some()
+            {
+                return Ok(true);
+            }
             // What a surface or another body holds fast, as the lever of a brake, keeps the angle that the key has.
             let turns = |pose: &pose::Pose<Jet<f64>>| pose.turn().0.abs() > ROUNDING;
             let moves = self.both_poses().is_none_or(|poses| poses.iter().any(|all| turns(&all[body])));
             if moves {
                 return Ok(false);
             }
-            let turn = self.free_turn(body, angles);
+            // One that lies along the direction from which it counts needs no letter.
+            let level = angles.iter().all(|all| all[body].abs() < NOTHING.to_degrees());
+            let turn = match level {
+                true => self.add_turn(body, [ZERO, ZERO], [ZERO, ZERO]),
+                false => self.free_turn(body, angles),
+            };
+            self.bodies[body].turn = Some(turn);
             self.turns[turn].rate = [ZERO, ZERO];
             self.put(body, &at, &place);
             return Ok(true);
@@ -1165,7 +1200,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn slotted(&mut self, body: usize, placed: &[bool]) -> bool {
         let scene = self.scene;
         let slot = scene.joints.iter().find_map(|joint| {
-            let (at, radius, surface) = joint.kind.surface()?;
+            let (at, radius, surface) = joint.kind.surface().filter(|_| !joint.kind.rolls()[0])?;
             let Surface::Line(line) = surface else { return None };
             let on = line.on.filter(|on| on.body == body && placed[at.body])?;
             Some((at, radius, line, on))
@@ -1185,6 +1220,190 @@ impl<'d, 'a> Plane<'d, 'a> {
         let place = plus(&through, &along(&apart.times(&Factors::one().per(&per)), &unit));
         self.put(body, &own, &place);
         true
+    }
+    /// The line of a joint at which a wheel rolls on a body: the wheel's centre, its radius, the line.
+    fn rolled_on(&self, which: impl Fn(Spot, Spot) -> bool) -> Option<(Spot, Num, Straight)> {
+        self.scene.joints.iter().filter(|joint| joint.kind.rolls()[0]).find_map(|joint| {
+            let (at, radius, surface) = joint.kind.surface()?;
+            let Surface::Line(line) = surface else { return None };
+            which(at, line.on?).then_some((at, radius, line))
+        })
+    }
+    /// Places a body without a turn that a wheel with a place carries along: a rack in its bed, a plank on rollers.
+    fn carried_by_wheel(&mut self, body: usize, placed: &[bool]) -> bool {
+        let wheel = self.rolled_on(|at, on| on.body == body && placed[at.body]);
+        let (Some((at, radius, line)), false) = (wheel, self.scene.bodies[body].turns) else { return false };
+        let (Some(turn), along_line) = (self.bodies[at.body].turn, self.line(line)) else { return false };
+        let guided = self.guided(body, placed).into_iter().next();
+        let line = along_line.map(|x| x.expr().factors());
+        let (own, through, unit) = guided.unwrap_or_else(|| {
+            let none = || [Factors::zero(), Factors::zero()];
+            (none(), [Line::default(), Line::default()], line.clone())
+        });
+        let centre = dot(&self.spot(at), &unit);
+        let first = Line::fixed(self.at(&centre, START));
+        let placed_at = self.scene.planar(body).and_then(|p| p.origin_m).map(|place| self.ground(place));
+        let start = match placed_at {
+            Some(origin) => plus(&origin, &from_axis(&self.axis_of(body), &own)),
+            // It lies under the wheel.
+            None => plus(&through, &along(&first.less(&dot(&through, &unit)), &unit)),
+        };
+        let radius = self.number(radius, "r", "m").factors();
+        let share = product(&vector(&line), &vector(&unit)).expr().factors();
+        let size = radius.times(share).signed(self.sense_of(at.body));
+        let rolled = Line { fixed: Sum::default(), waves: vec![(size, turn, Wave::Way)] };
+        let way = centre.less(&first).plus(&rolled);
+        self.put(body, &own, &plus(&start, &along(&way, &unit)));
+        true
+    }
+    /// Places a wheel between two lines: it rolls on a fixed one and under a body with a place.
+    fn rolls_between(&mut self, body: usize, placed: &[bool], angles: &[Vec<f64>; 2]) -> bool {
+        let upper = self.rolled_on(|at, on| at.body == body && placed[on.body]);
+        let place = self.scene.planar(body).and_then(|p| p.origin_m);
+        let (Some((_, upper, line)), Some(place), Some((at, _, unit, lower))) =
+            (upper, place, self.rolls(body))
+        else {
+            return false;
+        };
+        let Some(on) = line.on else { return false };
+        let turn = self.free_turn(body, angles);
+        let (sense, upper) = (self.sense_of(body), self.number(upper, "r", "m").factors());
+        let share = product(&self.line(line), &vector(&unit)).expr().factors();
+        let per = lower.opposite().plus(&upper.times(share)).signed(sense);
+        let carrier = self.spot(on);
+        self.ratio(turn, |this, which| {
+            product(&this.rates(&carrier, which), &vector(&unit)).times(Factors::one().per(&per)).expr()
+        });
+        let way = Line { fixed: Sum::default(), waves: vec![(lower.signed(-sense), turn, Wave::Way)] };
+        let start = self.ground(place);
+        let start = plus(&start, &from_axis(&self.axis_of(body), &at));
+        self.put(body, &at, &plus(&start, &along(&way, &unit)));
+        true
+    }
+    /// Places a body at the end of a cord that comes over a small pulley from one with a place, on the guide along which it slides.
+    fn roped(&mut self, body: usize, placed: &[bool]) -> bool {
+        let cord = self.scene.joints.iter().enumerate().find_map(|(j, joint)| {
+            let JointKind::Cord { at, place_m, beyond: Some((far, from)), .. } = joint.kind else {
+                return None;
+            };
+            let ends = [(at, place_m), (far, from)];
+            let own = usize::from(at.body != body);
+            let [one, other] = [ends[own], ends[1 - own]];
+            (one.0.body == body && placed[other.0.body]).then_some((j, own, [one, other]))
+        });
+        let guided = self.guided(body, placed).into_iter().next();
+        let (Some((j, first, ends)), Some((own, through, unit)), Some(poses)) =
+            (cord, guided, self.both_poses())
+        else {
+            return false;
+        };
+        if self.scene.bodies[body].turns {
+            return false;
+        }
+        let [x, y] = [0, 1].map(|i| self.value(&through[i].fixed.expr()));
+        let [c, s] = unit.each_ref().map(|u| self.value(&u.expr()));
+        let offset = own.each_ref().map(|x| self.value(&x.expr()));
+        let at = poses.map(|all| {
+            let [u, w] = all[body].point(offset).map(|p| p.value);
+            (u - x) * c + (w - y) * s
+        });
+        let tag = self.bodies[body].tag.clone();
+        let marks: &[&str] = if self.scene.end == End::AtOnce { &[""] } else { &["0", "1"] };
+        let at: Vec<Expr> = marks
+            .iter()
+            .zip(at)
+            .map(|(mark, at)| {
+                let symbol = self.named(&[tagged("s", &format!("{tag}{mark}"))], "m");
+                self.symbols.settle(symbol, at, 0.0);
+                symbol.into()
+            })
+            .collect();
+        let at = [at[0].clone(), at[at.len() - 1].clone()];
+        let (from, across) = ([0.0; 2], [0.0; 2]);
+        self.turns.push(Turn { at, rate: [ONE, ONE], from, across, tag, link: None, slides: true });
+        let turn = self.turns.len() - 1;
+        let slides = Line { fixed: Sum::default(), waves: vec![(Factors::one(), turn, Wave::Slide)] };
+        let own_way = along(&slides, &unit);
+        self.put(body, &own, &plus(&through, &own_way));
+        // The lengths of both straight pieces, and their directions toward the pulley.
+        let pieces = ends.map(|(spot, from)| less(&self.ground(from), &self.spot(spot)));
+        let (mut lengths, plain) = (Vec::new(), names::joint(self.scene, j));
+        for which in self.looked_at() {
+            let own = [0, 1].map(|i| {
+                let apart = self.places(&pieces[i], which);
+                let is = self.size(&apart);
+                let name = format!("{plain}{}{which}", PIECES[if i == 0 { first } else { 1 - first }]);
+                self.named_by([r"\ell", "d"], &name, "m", is)
+            });
+            lengths.push(own);
+        }
+        if let [[a, b], [c, d]] = &lengths[..] {
+            self.loops.push([a + b, c + d].map(|side| self.tex(&side)));
+        }
+        let still = [Line::default(), Line::default()];
+        self.keep_up(turn, [&still, &own_way], |this, which| {
+            let own = &lengths[which.min(lengths.len() - 1)];
+            let units =
+                [0, 1].map(|i| this.places(&pieces[i], which).map(|x| x.times(Factors::one().per(&own[i]))));
+            let speed = product(&units[1], &this.rates(&pieces[1], which));
+            let [unit, _] = units;
+            (unit, speed)
+        });
+        true
+    }
+    /// Turns a body that is held at a place so that a point of another one stays in its slot.
+    fn turns_in_slot(
+        &mut self,
+        body: usize,
+        (at, place): (&[Factors; 2], &Point),
+        placed: &[bool],
+        angles: &[Vec<f64>; 2],
+    ) -> bool {
+        let slot = self.scene.joints.iter().filter(|joint| !joint.kind.rolls()[0]).find_map(|joint| {
+            let (guided, radius, surface) = joint.kind.surface()?;
+            let Surface::Line(line) = surface else { return None };
+            let on = line.on.filter(|on| on.body == body && placed[guided.body])?;
+            Some((guided, radius, line, on))
+        });
+        let Some((guided, radius, line, on)) = slot else { return false };
+        let turn = self.free_turn(body, angles);
+        self.put(body, at, place);
+        let (unit, radius) = (self.direction(line.direction_deg), self.number(radius, "r", "m"));
+        let (point, through) = (self.spot(guided), self.spot(on));
+        let apart = less(&point, &through);
+        let normal = left(&self.turned_with(body, &unit, END));
+        let across = product(&self.places(&apart, END), &normal).plus(&Sum::one(&radius).opposite());
+        let sides = across.sides();
+        self.loops.push(sides.each_ref().map(|side| self.tex(side)));
+        let (sense, within) = (self.sense_of(body), less(&through, place));
+        self.ratio(turn, |this, which| {
+            // Across the slot the point moves as the slot does there.
+            let normal = left(&this.turned_with(body, &unit, which));
+            let share = |this: &Self, p: &Point| product(&this.rates(p, which), &normal);
+            let moves = share(this, &point).plus(&share(this, place).opposite());
+            let swept = cross(&this.places(&apart, which), &normal).signed(sense);
+            moves.expr().over(share(this, &within).plus(&swept).expr())
+        });
+        true
+    }
+    /// Turns a body that is held at a place as a light rod or a cord at another point of it lets it.
+    fn turns_on_link(
+        &mut self,
+        body: usize,
+        (at, place): (&[Factors; 2], &Point),
+        angles: &[Vec<f64>; 2],
+    ) -> Option<()> {
+        let of_cord =
+            |joint: usize| matches!(self.scene.joints[joint].kind, JointKind::Cord { beyond: None, .. });
+        let link = self.links(body).into_iter().find(|(.., joint)| of_cord(*joint))?;
+        let turn = self.free_turn(body, angles);
+        self.put(body, at, place);
+        let (second, length) = self.link(link)?;
+        let (to, far) = (self.of_spot(link.0), self.ground(link.1));
+        let own = from_axis(&self.axis(turn), &between(&to, at));
+        let across = times(&self.axis(second), &length);
+        self.close(&less(place, &far), (turn, &own), (second, &across));
+        Some(())
     }
     /// The body with a place to which this one is welded.
     fn welded(&self, body: usize, placed: &[bool]) -> Option<usize> {
@@ -1235,6 +1454,10 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn ratio(&mut self, turn: usize, of: impl Fn(&mut Self, usize) -> Expr) {
         self.turns[turn].rate[START] = if self.first == ZERO { ZERO } else { of(self, START) };
         let is = of(self, END);
+        if matches!(is, Expr::Number(..)) {
+            self.turns[turn].rate[END] = is;
+            return;
+        }
         // In a dead centre it does not turn.
         if self.value(&is).abs() < ROUNDING {
             self.turns[turn].rate[END] = ZERO;
@@ -1278,7 +1501,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 continue;
             }
             let unit = self.direction(push.direction_deg);
-            let along = if push.turns { self.turned_with(push.at.body, &unit) } else { vector(&unit) };
+            let along = if push.turns { self.turned_with(push.at.body, &unit, END) } else { vector(&unit) };
             let (point, along) = (self.spot(push.at), self.frame(&along));
             let pull = self.pull(push.at.body, &point, size.clone(), along);
             let moment = pull.turn.times(size.signed(self.sense_of(push.at.body))).expr();
@@ -1563,7 +1786,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                         let u = if self.oblique.is_some() { self.frame(&u) } else { u };
                         let along = |sense: i8| u.each_ref().map(|x| x.signed(sense));
                         let ends: Vec<_> = ends().map(|(spot, sense)| (spot, along(sense))).collect();
-                        self.add_hold(j, force, &ends, None);
+                        self.add_hold(j, force, &ends, &[]);
                     }
                     if let JointKind::Hinge { turned_deg: Some(_), .. } = joint.kind {
                         let couple = self.named(&[tagged("M", &plain)], "N m");
@@ -1576,7 +1799,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                     let force = named(self, "N", "");
                     let line = self.line(line);
                     let normal = self.frame(&left(&line));
-                    self.add_hold(j, force, &[(at, normal)], None);
+                    self.add_hold(j, force, &[(at, normal)], &[]);
                     if let Some(mu) = mu_k {
                         self.rub(j, at, &line, (mu, ZERO.factors()), force);
                     }
@@ -1595,10 +1818,9 @@ impl<'d, 'a> Plane<'d, 'a> {
                     let ends = [(at, place_m)].into_iter().chain(beyond);
                     let ends: Vec<(Spot, Vector, Factors)> =
                         ends.enumerate().map(|(i, end)| self.pulled_by_cord(j, end, i)).collect();
-                    // Of one over a pulley, which no fixed length holds, it is not asked how it moves on.
-                    let toward = ends.first().map(|(.., toward)| toward.clone());
+                    let toward: Vec<Factors> = ends.iter().map(|(.., toward)| toward.clone()).collect();
                     let ends: Vec<_> = ends.into_iter().map(|(spot, along, _)| (spot, along)).collect();
-                    self.add_hold(j, force, &ends, toward);
+                    self.add_hold(j, force, &ends, &toward);
                 }
             }
         }
@@ -1611,7 +1833,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         (at, place): (Spot, [Num; 2]),
         end: usize,
     ) -> (Spot, Vector, Factors) {
-        let plain = format!("{}{}", names::joint(self.scene, joint), if end > 0 { "'" } else { "" });
+        let over = matches!(self.scene.joints[joint].kind, JointKind::Cord { beyond: Some(_), .. });
+        let plain = format!("{}{}", names::joint(self.scene, joint), if over { PIECES[end] } else { "" });
         let apart = match self.linked(joint) {
             Some(turn) => {
                 let length = self.turns[turn].link.map_or(ZERO, |(_, length)| length.into());
@@ -1623,7 +1846,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let is = self.size(&apart);
         let length: Expr = match is {
             Expr::Symbol(s) => s.into(),
-            is => self.page.find(&[tagged(r"\ell", &plain)], "m", is).into(),
+            is => self.page.find_once(&[tagged(r"\ell", &plain)], "m", is).into(),
         };
         let tag = if plain.is_empty() { plain } else { format!(",{plain}") };
         let along = self.unit(&apart, &length, ["u", "w"], &tag);
@@ -1673,10 +1896,10 @@ impl<'d, 'a> Plane<'d, 'a> {
         let sense = if up < 0.0 { -1 } else { 1 };
         let (along, rim) = (right.each_ref().map(|x| x.signed(sense)), radius.signed(sense));
         if let Some(force) = press {
-            self.add_hold(joint, force, &[(at, normal)], bend);
+            self.add_hold(joint, force, &[(at, normal)], bend.as_slice());
         }
         if let Some(force) = grip {
-            self.add_hold(joint, force, &[(at, along)], None);
+            self.add_hold(joint, force, &[(at, along)], &[]);
             let turn = Sum::one(&rim);
             if let Some(hold) = self.holds.last_mut() {
                 for (pull, sense) in hold.pulls.iter_mut().zip([1, -1]) {
@@ -1687,10 +1910,10 @@ impl<'d, 'a> Plane<'d, 'a> {
         (right, radius)
     }
 
-    fn add_hold(&mut self, joint: usize, force: SymbolId, ends: &[(Spot, Vector)], toward: Option<Factors>) {
+    fn add_hold(&mut self, joint: usize, force: SymbolId, ends: &[(Spot, Vector)], toward: &[Factors]) {
         let (mut inward, mut given) = (Sum::default(), ZERO);
         let mut pulls = Vec::new();
-        for (spot, u) in ends {
+        for (i, (spot, u)) in ends.iter().enumerate() {
             let point = self.spot(*spot);
             pulls.push(self.pull(spot.body, &point, force.factors(), u.clone()));
             if !self.moves {
@@ -1699,15 +1922,29 @@ impl<'d, 'a> Plane<'d, 'a> {
             let lever = self.lever(spot.body, &point);
             let spin = self.spin(spot.body);
             inward = inward.plus(&product(u, &lever).times(square(&spin)));
-            if let Some(toward) = &toward {
+            if let Some(toward) = toward.get(i) {
                 let v = self.rates(&point, END);
-                inward = inward.plus(&product(&v, &v).times(toward));
+                // Along a cord that runs over a pulley it moves as well.
+                let across =
+                    if ends.len() > 1 { Sum::one(square(cross(u, &v).expr())) } else { product(&v, &v) };
+                inward = inward.plus(&across.times(toward));
                 given =
                     self.glides.as_ref().map_or(ZERO, |speed| toward.times(speed.factors().squared()).expr());
             }
         }
         if let (Some(on), [(at, u)]) = (self.scene.joints[joint].kind.bearer(), ends) {
             let (point, back) = (self.spot(*at), u.each_ref().map(|x| x.signed(-1)));
+            if self.moves && self.scene.joints[joint].kind.carrier().is_some() {
+                // The line turns: what is on it has the acceleration of its place there, and that of Coriolis.
+                let (lever, spin) = (self.lever(on.body, &point), self.spin(on.body));
+                let v = self.rates(&less(&point, &self.centre(on.body)), END);
+                let spun = left(&lever).map(|x| x.times(&spin).signed(self.sense_of(on.body)));
+                let along = [u[1].clone(), u[0].opposite()];
+                let slides = product(&[0, 1].map(|i| v[i].plus(&spun[i].opposite())), &along);
+                inward = inward.plus(&product(&back, &lever).times(square(&spin)));
+                let twice = spin.by(number(2)).factors().signed(self.sense_of(on.body));
+                inward = inward.plus(&slides.times(twice));
+            }
             pulls.push(self.pull(on.body, &point, force.factors(), back));
         }
         self.holds.push(Hold { joint, unknown: force, pulls, inward, given });
