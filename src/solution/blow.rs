@@ -8,7 +8,8 @@ use crate::solution::factors::{Cancel, Factors, Sum};
 use crate::solution::order::{Row, needed};
 use crate::solution::page::{Pieces, Step};
 use crate::solution::plane::{
-    END, NOTHING, Plane, PlaneBody, Point, Pull, ROUNDING, START, Vector, cross, left, less, product, vector,
+    END, Hold, NOTHING, Plane, PlaneBody, Point, Pull, ROUNDING, START, Vector, cross, left, less, product,
+    vector,
 };
 use crate::solution::stop::DerivationStop;
 use crate::solution::terms::tagged;
@@ -23,8 +24,8 @@ const EXTREME: f64 = 1e9;
 /// What blows do at an instant.
 #[derive(Debug, Clone)]
 pub struct Blow {
-    /// What is told: a sentence, and the equations after it.
-    told: Vec<(String, Vec<(Expr, Expr)>)>,
+    /// What is told.
+    told: Vec<Paragraph>,
     /// The bodies, with the velocities after it, or their changes, in the place of accelerations.
     pub bodies: Vec<PlaneBody>,
     /// The impulses of the joints.
@@ -60,6 +61,12 @@ enum Of {
     About(Vector, String),
 }
 
+/// Both sides of an equation.
+type Sides = (Expr, Expr);
+/// Velocities, each with what it is by others.
+type Held = Vec<(SymbolId, Expr)>;
+/// A sentence, and the equations after it.
+type Paragraph = (String, Vec<Sides>);
 /// How a body moves before an impact: its mass centre, and its turn.
 type Before = (Vector, Factors);
 
@@ -91,12 +98,12 @@ impl Plane<'_, '_> {
         self.moves = false;
         self.hold();
         self.part(&before);
-        let rows: Vec<(Expr, Expr)> = (0..kept.len()).flat_map(|b| self.equations(b)).collect();
+        let rows: Vec<Sides> = (0..kept.len()).flat_map(|b| self.equations(b)).collect();
         let (demands, unknowns) = (self.demands(), [self.accelerations(), self.reactions()].concat());
         let all = [rows.clone(), demands.clone()].concat();
         self.page.settle_all(&all, &unknowns, |_| ROUNDING)?;
         let steps = self.steps.len();
-        let free = if self.pivot.is_none() { self.by_free_momenta(&demands) } else { None };
+        let free = if self.pivot.is_none() { self.by_free_momenta(demands.clone()) } else { None };
         let told = free.unwrap_or_else(|| {
             self.unravel();
             self.each_momentum(rows, demands)
@@ -235,10 +242,13 @@ impl Plane<'_, '_> {
             let place = self.spot(spot);
             all.push((self.seen(&place), format!("${name}$")));
         }
-        let ends: Vec<Pull> = self.holds.iter().filter_map(|h| h.pulls.first().cloned()).collect();
-        let name = self.phrase("impact.meet", &[]);
+        let first = |h: &Hold| Some((h.joint, h.pulls.first()?.clone()));
+        let ends: Vec<(usize, Pull)> = self.holds.iter().filter_map(first).collect();
+        let names = ["impact.contact", "impact.meet"].map(|name| self.phrase(name, &[]));
         let flat = |this: &Self, p: &Pull, i: usize| this.value(&p.along[i].expr()).abs() < NOTHING;
-        for (one, other) in ends.iter().flat_map(|one| ends.iter().map(move |other| (one, other))) {
+        let pairs = ends.iter().flat_map(|one| ends.iter().map(move |other| (one, other)));
+        for ((joint, one), (second, other)) in pairs {
+            let name = &names[usize::from(joint != second)];
             if flat(self, one, 0) && flat(self, other, 1) {
                 // A force along a direction acts at its point's distance across it.
                 let at = |this: &mut Self, p: &Pull, i: usize| {
@@ -329,90 +339,88 @@ impl Plane<'_, '_> {
         (before.signed(sense), after.signed(sense))
     }
 
-    /// The velocities from momenta for which no unknown impulse counts, and what the joints demand; `None` where these are not enough.
-    fn by_free_momenta(&mut self, demands: &[(Expr, Expr)]) -> Option<Told> {
-        let velocities = self.accelerations();
+    /// Momenta for which no unknown impulse counts, as many as give all velocities beside what the joints demand; `None` where there
+    /// are not so many.
+    fn enough(&mut self) -> Option<Vec<Momentum>> {
         let columns: Vec<usize> =
             (0..3 * self.bodies.len()).filter(|i| i % 3 < 2 || self.bodies[i / 3].alpha.is_some()).collect();
-        let parts =
-            |this: &Self, h: usize| this.scene.restitution.is_some_and(|(j, _)| j == this.holds[h].joint);
+        let of = |row: &[f64]| columns.iter().map(|c| row[*c]).collect();
         let mut rank = Rank::default();
-        for hold in self.holds.clone() {
+        for hold in &self.holds {
             let mut row = vec![0.0; 3 * self.bodies.len()];
             for p in &hold.pulls {
                 let turn = self.value(&p.turn.expr()) * f64::from(self.sense_of(p.body));
                 let own = [self.value(&p.along[0].expr()), self.value(&p.along[1].expr()), turn];
                 (0..3).for_each(|i| row[3 * p.body + i] += own[i]);
             }
-            rank.takes(columns.iter().map(|c| row[*c]).collect());
+            rank.takes(of(&row));
         }
         let mut chosen = Vec::new();
         for momentum in self.momenta() {
             if rank.0.len() == columns.len() {
                 break;
             }
-            let Some(row) = self.free_of_impulses(&momentum) else { continue };
-            if rank.takes(columns.iter().map(|c| row[*c]).collect()) {
+            if self.free_of_impulses(&momentum).is_some_and(|row| rank.takes(of(&row))) {
                 chosen.push(momentum);
             }
         }
-        if rank.0.len() < columns.len() {
-            return None;
-        }
-        let (mut held, mut parting): (Vec<(SymbolId, Expr)>, Option<(Expr, Expr)>) = (Vec::new(), None);
-        for (h, (l, r)) in demands.iter().enumerate() {
-            if parts(self, h) {
-                parting = Some((l.clone(), r.clone()));
-                continue;
-            }
-            let row = self.spelled(&(l - r), &held, &velocities);
+        (rank.0.len() == columns.len()).then_some(chosen)
+    }
+    /// What the joints that hold say of the velocities: mass centres by turns, and what comes later by what comes before.
+    fn held_velocities(&self, demands: &[Sides], velocities: &[SymbolId]) -> Held {
+        let mut held = Held::new();
+        for (l, r) in demands {
+            let row = self.spelled(&(l - r), &held, velocities);
             let mut unknown: Vec<SymbolId> = row.expr().uses();
             unknown.retain(|s| velocities.contains(s));
-            // Mass centres are told by turns, and what comes later by what comes before.
             let turns = |s: &SymbolId| self.bodies.iter().any(|b| b.alpha == Some(*s));
             unknown.sort_by_key(|s| (turns(s), std::cmp::Reverse(velocities.iter().position(|v| v == s))));
-            let Some((symbol, is)) = unknown.into_iter().find_map(|s| Some((s, self.solve_for(&row, s)?)))
-            else {
-                continue;
-            };
-            for i in 0..held.len() {
-                held[i].1 = self.spelled(&held[i].1, &[(symbol, is.clone())], &velocities).expr();
+            let found = unknown.into_iter().find_map(|s| Some((s, self.solve_for(&row, s)?)));
+            if let Some(found) = found {
+                for (_, is) in &mut held {
+                    *is = self.spelled(is, std::slice::from_ref(&found), velocities).expr();
+                }
+                held.push(found);
             }
-            held.push((symbol, is));
         }
+        held
+    }
+    /// The velocities from momenta for which no unknown impulse counts, and what the joints demand; `None` where these are not enough.
+    fn by_free_momenta(&mut self, mut demands: Vec<Sides>) -> Option<Told> {
+        let (velocities, chosen) = (self.accelerations(), self.enough()?);
+        let parts = self.scene.restitution.and_then(|(j, _)| self.holds.iter().position(|h| h.joint == j));
+        let parting = parts.map(|at| demands.remove(at));
+        let held = self.held_velocities(&demands, &velocities);
+        let each = |s: &Sum| positive_first(s.terms().iter().map(Factors::expr));
         let mut paragraphs = Vec::new();
-        let told = |this: &Self, s: &SymbolId| this.symbols.value(*s) != 0.0;
-        let kept: Vec<(Expr, Expr)> =
-            held.iter().filter(|(s, _)| told(self, s)).map(|(s, is)| ((*s).into(), is.clone())).collect();
+        let moves = |(s, _): &&(SymbolId, Expr)| self.symbols.value(*s) != 0.0;
+        let kept: Vec<Sides> = held.iter().filter(moves).map(|(s, is)| ((*s).into(), is.clone())).collect();
         if !kept.is_empty() {
-            paragraphs.push((self.phrase("impact.held", &[]), kept));
+            let name = if self.first == ZERO { "impact.held" } else { "impact.held_changes" };
+            paragraphs.push((self.phrase(name, &[]), kept));
         }
         let mut rows: Vec<Sum> = Vec::new();
         for momentum in &chosen {
             let (before, after) = self.balance_of(momentum);
             let after = self.spelled(&after.expr(), &held, &velocities);
-            rows.push(after.plus(&before.opposite()));
-            let sides = [&before, &after].map(|s| positive_first(s.terms().iter().map(Factors::expr)));
-            let [before, after] = sides;
             // What neither comes nor goes is not told.
-            if self.value(&after) != 0.0 {
-                paragraphs.push((self.says(momentum), vec![(before, after)]));
+            if self.value(&after.expr()) != 0.0 {
+                paragraphs.push((self.says(momentum), vec![(each(&before), each(&after))]));
             }
+            rows.push(after.plus(&before.opposite()));
         }
-        if let Some((l, r)) = parting {
+        if let (Some((l, r)), Some((_, e))) = (parting, self.scene.restitution) {
             let (l, r) = (self.spelled(&l, &held, &velocities), Sum::of(r.terms().iter().map(Factors::of)));
+            let (e, sense) = (self.number(e, "e", "1"), if self.value(&r.expr()) < 0.0 { -1 } else { 1 });
+            let name = if e == ZERO { "impact.plastic" } else { "impact.parting" };
+            let sides = (each(&l.signed(sense)), each(&r.signed(sense)));
+            paragraphs.push((self.phrase(name, &[("e", &e)]), vec![sides]));
             rows.push(l.plus(&r.opposite()));
-            let e = self.scene.restitution.map_or(ZERO, |(_, e)| self.number(e, "e", "1"));
-            let sense = if self.value(&r.expr()) < 0.0 { -1 } else { 1 };
-            let each = |s: &Sum| positive_first(s.signed(sense).terms().iter().map(Factors::expr));
-            let sentence = if e == ZERO { "impact.plastic" } else { "impact.parting" };
-            paragraphs.push((self.phrase(sentence, &[("e", &e)]), vec![(each(&l), each(&r))]));
         }
-        let open: Vec<SymbolId> =
-            velocities.iter().copied().filter(|v| held.iter().all(|(s, _)| s != v)).collect();
-        self.eliminate(rows, open)?;
-        for (symbol, is) in held.clone() {
-            self.page.step(symbol, is);
+        let is_open = |v: &SymbolId| held.iter().all(|(s, _)| s != v);
+        self.eliminate(rows, velocities.iter().copied().filter(is_open).collect())?;
+        for (symbol, is) in &held {
+            self.page.step(*symbol, is.clone());
         }
         self.impulses_from(&held, &velocities);
         Some(Told { paragraphs, held, solved: false })
@@ -495,10 +503,9 @@ impl Plane<'_, '_> {
     }
     /// The impulses of joints that are asked, from the momenta of single bodies.
     fn impulses_from(&mut self, held: &[(SymbolId, Expr)], velocities: &[SymbolId]) {
-        use Quantity as Q;
-        let asked = |q: Q| matches!(q, Q::Impulse | Q::ImpulseX | Q::ImpulseY | Q::FrictionImpulse);
+        let labels = self.needed();
         let joints: Vec<Owner> =
-            self.needed().iter().filter(|l| asked(l.quantity)).map(|label| label.of).collect();
+            labels.iter().filter(|l| is_impulse(l.quantity)).map(|label| label.of).collect();
         let wanted = self.holds.iter().filter(|h| joints.contains(&Owner::Joint(h.joint)));
         let wanted: Vec<SymbolId> = wanted.map(|h| h.unknown).collect();
         let mut rows = Vec::new();
@@ -513,7 +520,7 @@ impl Plane<'_, '_> {
         self.page.follow(&found);
     }
     /// What is told where unknown impulses are in every equation.
-    fn each_momentum(&self, rows: Vec<(Expr, Expr)>, demands: Vec<(Expr, Expr)>) -> Told {
+    fn each_momentum(&self, rows: Vec<Sides>, demands: Vec<Sides>) -> Told {
         let (pin, radial) = match &self.pivot {
             Some(pivot) => (pivot.name.clone(), pivot.radial),
             None => (String::new(), false),
@@ -540,6 +547,10 @@ impl Plane<'_, '_> {
     /// Is it an impact of bodies that move?
     pub fn impact(&self) -> bool {
         self.blow.as_ref().is_some_and(|b| b.before.is_some())
+    }
+    /// Is an impulse of a joint asked?
+    pub fn asks_impulses(&self) -> bool {
+        self.needed().iter().any(|label| is_impulse(label.quantity))
     }
     /// Does a joint feel it?
     pub fn jolts(&self) -> bool {
@@ -577,7 +588,11 @@ impl Plane<'_, '_> {
         let all: Vec<(SymbolId, Expr)> =
             solved.chain(steps.map(|step| (step.symbol, self.moving(&blow, &step.from)))).collect();
         let lines: Vec<String> = all.into_iter().map(|(s, from)| self.chain(s, &from)).collect();
-        let name = if self.impact() { "impact.so" } else { "joined.together_blow" };
+        let name = match blow.from_rest {
+            true if self.impact() => "impact.so",
+            true => "joined.together_blow",
+            false => "impact.changes",
+        };
         self.say(name, &[]);
         self.page.formulas(lines);
         self.page.steps.extend(blow.steps.iter().filter(|step| step.from != step.symbol.into()).cloned());
@@ -726,11 +741,17 @@ fn bodies_turn(blow: &Blow, symbol: SymbolId) -> bool {
     blow.bodies.iter().any(|b| b.alpha == Some(symbol))
 }
 
+/// Is it an impulse of a joint?
+pub const fn is_impulse(q: Quantity) -> bool {
+    use Quantity::{FrictionImpulse, Impulse, ImpulseX, ImpulseY};
+    matches!(q, Impulse | ImpulseX | ImpulseY | FrictionImpulse)
+}
+
 /// How a blow is told.
 struct Told {
-    paragraphs: Vec<(String, Vec<(Expr, Expr)>)>,
+    paragraphs: Vec<Paragraph>,
     /// Velocities that others give by the joints.
-    held: Vec<(SymbolId, Expr)>,
+    held: Held,
     /// Were its equations solved together?
     solved: bool,
 }

@@ -229,7 +229,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
         match self.scene.end {
             End::Equilibrium => "joined.onward_rest",
             End::AtOnce if self.impact() && self.scene.restitution.is_some() => "impact.onward",
-            _ if self.impact() => "impact.onward_stays",
+            _ if self.impact() && !self.asks_impulses() => "impact.onward_stays",
+            End::AtOnce if self.impact() => "onward.other",
             End::AtOnce if self.pivot.is_some() && self.jolts() => "pinned.onward_struck",
             End::AtOnce if self.blow.is_some() => "joined.onward_struck",
             End::AtOnce if !self.moves && self.sets_off() => "joined.onward_instant",

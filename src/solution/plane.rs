@@ -12,7 +12,7 @@ use crate::scene::{
 };
 use crate::solution::account::{START_NAMES, of_body, stored};
 use crate::solution::asked;
-use crate::solution::blow::Blow;
+use crate::solution::blow::{Blow, is_impulse};
 use crate::solution::draft::Draft;
 use crate::solution::expr::{
     Expr, ONE, SymbolId, ZERO, cosine, in_sense, number, positive_first, power, ratio, root, signed, sine,
@@ -1212,7 +1212,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             return false;
         };
         let normal = left(&self.line(line)).map(|x| x.expr().factors());
-        let radius = Line::fixed(Sum::one(&self.number(radius, "r", "m")));
+        let radius = Line::fixed(Sum::one(self.number(radius, "r", "m")));
         let (point, on) = (self.spot(at), self.of_spot(on));
         let within = from_axis(&self.axis_of(body), &between(&own, &on));
         let apart = dot(&plus(&less(&point, &through), &within), &normal).less(&radius);
@@ -2475,9 +2475,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn of_pivot(&mut self, label: Label) -> Result<Option<SymbolId>, DerivationStop> {
         use Quantity as Q;
         if let Some(blow) = self.blow.clone() {
-            let impulses =
-                matches!(label.quantity, Q::Impulse | Q::ImpulseX | Q::ImpulseY | Q::FrictionImpulse);
-            if let (true, Owner::Joint(j)) = (impulses, label.of) {
+            if let (true, Owner::Joint(j)) = (is_impulse(label.quantity), label.of) {
                 return Ok(self.impulse_of(&blow, j, label.quantity));
             }
             let free = self.scene.end == End::AtOnce && self.pivot.is_none() && blow.from_rest;
