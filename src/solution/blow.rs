@@ -3,7 +3,9 @@
 //! unknown impulse counts. What the joints demand of the velocities, and how points part again, are the other equations.
 use crate::scene::{End, JointKind, Label, Owner, Quantity, Spot};
 use crate::solution::draft::Detail;
-use crate::solution::expr::{Expr, SymbolId, ZERO, in_sense, length, positive_first, ratio, square, sum};
+use crate::solution::expr::{
+    Expr, ONE, SymbolId, ZERO, in_sense, length, positive_first, ratio, square, sum,
+};
 use crate::solution::factors::{Cancel, Factors, Sum};
 use crate::solution::order::{Row, needed};
 use crate::solution::page::{Pieces, Step};
@@ -641,7 +643,8 @@ impl Plane<'_, '_> {
                 self.symbols.place(e, own);
                 self.rough(value, unit)
             });
-            let pieces: Pieces = &[("e", &e), ("what", &symbol), ("soft", &soft), ("hard", &hard)];
+            let factor = ONE + Expr::from(e);
+            let pieces: Pieces = &[("factor", &factor), ("what", &symbol), ("soft", &soft), ("hard", &hard)];
             self.say("impact.limits_e", pieces);
             return Ok(());
         }
