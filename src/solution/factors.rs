@@ -159,6 +159,12 @@ impl Factors {
         } else {
             first.expr() + second.expr()
         };
+        // What stands on both sides of a difference of sums falls out: b - (b - c).
+        let terms = both.terms();
+        let gathered = Sum::of(terms.iter().map(Self::of));
+        if gathered.0.len() < terms.len() {
+            return if gathered.is_zero() { Self::zero() } else { outside.times(Self::of(&gathered.expr())) };
+        }
         outside.times(Self::of(&both))
     }
     /// Multiplied out where a factor is a sum that holds this symbol.

@@ -1,6 +1,6 @@
 //! Words what is known of bodies that are joined in the plane, in the same sections as every other scene.
 use crate::num::elliptic;
-use crate::scene::{Acts, End, JointKind, Label, Mass, Quantity, Rest, RotaryInertia, Surface};
+use crate::scene::{Acts, End, JointKind, Label, Mass, Owner, Quantity, Rest, RotaryInertia, Surface};
 use crate::solution::AGREEMENT_REL;
 use crate::solution::account::of_body;
 use crate::solution::draft::{Detail, is_rate};
@@ -33,13 +33,24 @@ type IsKind = fn(&JointKind) -> bool;
 
 impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
     fn idea(&mut self) {
-        if self.blow.is_some() {
-            self.say("joined.idea_struck", &[]);
+        match self.scene.restitution {
+            _ if self.blow.is_none() => {}
+            _ if !self.impact() => self.say("joined.idea_struck", &[]),
+            Some((_, e)) => {
+                let e = self.number(e, "e", "1");
+                self.say("impact.idea", &[]);
+                self.say("impact.idea_parts", &[("e", &e)]);
+            }
+            None => {
+                self.say("impact.idea", &[]);
+                self.say("impact.idea_stays", &[]);
+            }
         }
         let name = match self.scene.end {
             End::AtOnce if self.blow.is_some() => return,
             End::Equilibrium => "joined.idea_rest",
             End::AtOnce => "joined.idea_instant",
+            _ if self.in_place() => "joined.idea_in_place",
             _ if self.rubs() => "joined.idea_rubs",
             End::Leaves(_) => "joined.idea_leaves",
             End::Angle(..) => "pinned.idea",
@@ -89,6 +100,9 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
                 None if self.moves => self.say("joined.why_instant", &[]),
                 None => self.say("joined.why_at_rest", &[]),
             }
+        } else if self.in_place() {
+            self.motion("short", "one_motion")?;
+            self.turn_steadily()?;
         } else if self.rubs() {
             self.motion("short", "one_motion")?;
             self.integrate_friction()?;
@@ -144,7 +158,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
         self.get(label)
     }
     fn before(&mut self, label: Label) {
-        if label.quantity == Quantity::T && !matches!(self.scene.end, End::Time(..)) {
+        if label.quantity == Quantity::T && !self.in_place() && !matches!(self.scene.end, End::Time(..)) {
             self.tell_new();
             self.say("joined.time", &[]);
         }
@@ -154,7 +168,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             self.gets_there();
         }
         let scene = self.scene;
-        let (mut pressed, mut taut) = (Vec::new(), Vec::new());
+        let (mut pressed, mut taut, mut limp) = (Vec::new(), Vec::new(), Vec::new());
         for (j, joint) in scene.joints.iter().enumerate() {
             let (quantity, list) = match joint.kind {
                 JointKind::Cord { rod: false, .. } => (Quantity::Tension, &mut taut),
@@ -167,9 +181,14 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
                 if self.symbols.value(force).abs() > AGREEMENT_REL * 9.81 * self.mass() {
                     return Err(Beyond::Differs(quantity).into());
                 }
+            } else if self.symbols.value(force).abs() <= AGREEMENT_REL * 9.81 * self.mass() {
+                limp.push(self.shown(force));
             } else if !self.symbols.value(force).is_nan() {
                 list.push(self.shown(force));
             }
+        }
+        if !limp.is_empty() {
+            self.say("joined.limp", &[("force", &limp.join(", "))]);
         }
         for (name, list) in [("joined.presses", pressed), ("joined.taut", taut)] {
             if !list.is_empty() {
@@ -180,6 +199,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
         Ok(())
     }
     fn limits(&mut self) -> Result<(), DerivationStop> {
+        self.tell_loss()?;
         let rotation = self.pivot.as_ref().map_or_else(|| self.rotation(), |p| Sum::one(&p.own));
         let moving = self.moves && self.symbols.value(self.rate) > 0.0 && self.carrier.is_none();
         if moving && !self.moving.is_zero() && !rotation.is_zero() {
@@ -208,12 +228,17 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
     fn onward(&self) -> &'static str {
         match self.scene.end {
             End::Equilibrium => "joined.onward_rest",
-            End::AtOnce if self.blow.is_some() && self.pivot.is_some() => "pinned.onward_struck",
+            End::AtOnce if self.impact() && self.scene.restitution.is_some() => "impact.onward",
+            _ if self.impact() && !self.asks_impulses() => "impact.onward_stays",
+            End::AtOnce if self.impact() => "onward.other",
+            End::AtOnce if self.pivot.is_some() && self.jolts() => "pinned.onward_struck",
             End::AtOnce if self.blow.is_some() => "joined.onward_struck",
-            End::AtOnce if !self.moves => "joined.onward_instant",
+            End::AtOnce if !self.moves && self.sets_off() => "joined.onward_instant",
             End::Leaves(_) => "joined.onward_leaves",
             _ if self.carried_on() => "onward.other",
-            _ if self.rubs() => "joined.onward_rubs",
+            _ if self.in_place() => "joined.onward_in_place",
+            _ if self.rubs() && self.first == ZERO => "joined.onward_rubs",
+            _ if self.rubs() || self.instant() => "onward.other",
             // Beside other forces a stiffer spring may stop it.
             _ if !self.springs.is_empty() && !self.instant() => match self.works.len() > self.springs.len() {
                 true => "joined.onward_spring",
@@ -236,6 +261,10 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn still(&self) -> bool {
         self.scene.end == End::Equilibrium
     }
+    /// Does anything accelerate?
+    fn sets_off(&self) -> bool {
+        self.accelerations().iter().any(|a| self.symbols.value(*a) != 0.0)
+    }
     /// Do all bodies turn in ratios that do not change on the way, as gears and welded rods do?
     fn evenly(&self) -> bool {
         self.turns.iter().all(|turn| {
@@ -249,6 +278,10 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     fn rubs(&self) -> bool {
         !self.frictions.is_empty()
+    }
+    /// Does it rub while it turns on the spot, so that nothing changes?
+    fn in_place(&self) -> bool {
+        self.scene.spins_in_place() && !self.scene.is_still()
     }
     fn radial(&self) -> bool {
         self.pivot.as_ref().is_some_and(|p| p.radial)
@@ -287,6 +320,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let last = self.turns[0].at[1].clone();
         let value = self.valued(&last, "1");
         let name = match self.scene.end {
+            _ if self.in_place() => None,
             End::Leaves(j) => {
                 let force = Vec::from_iter(self.of_joint(Quantity::Normal, j));
                 self.say("joined.leaves", &[("force", &force), ("angle", &last)]);
@@ -311,15 +345,23 @@ impl<'d, 'a> Plane<'d, 'a> {
             let turn = &self.turns[i];
             let name = match turn.link.map(|(joint, _)| &self.scene.joints[joint]) {
                 Some(joint) => self.phrase("joined.link", &[("name", &joint.name)]),
+                None if turn.slides => self.bodies.iter().find(|b| b.tag == turn.tag)?.name.clone(),
                 None => self.bodies.iter().find(|b| b.turn == Some(i))?.name.clone(),
             };
             let mut symbols: Vec<SymbolId> = turn.at.iter().filter(|e| own(e)).flat_map(Expr::uses).collect();
             symbols.dedup();
             let list: Vec<String> = symbols.iter().map(|s| self.shown(*s)).collect();
-            Some((symbols.is_empty(), format!("{name} {}", list.join(", "))))
+            Some((turn.slides, symbols.is_empty(), format!("{name} {}", list.join(", "))))
         });
-        let angles: Vec<(bool, String)> = angles.collect();
+        let (slides, angles): (Vec<_>, Vec<_>) = angles.partition(|(slides, ..)| *slides);
+        let slides: Vec<String> = slides.into_iter().map(|(.., place)| place).collect();
+        if !slides.is_empty() {
+            self.say("joined.slides", &[("places", &slides.join("; "))]);
+        }
+        let angles: Vec<(bool, String)> = angles.into_iter().map(|(_, none, text)| (none, text)).collect();
         if angles.iter().all(|(none, _)| *none) {
+            let loops: Vec<String> = self.loops.iter().map(|[a, b]| format!("{a} = {b}")).collect();
+            self.formulas_or_one(loops);
             return;
         }
         let angles: Vec<String> = angles.into_iter().map(|(_, angle)| angle).collect();
@@ -431,7 +473,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             let notes = [
                 ("joined.in_radians", angles),
                 ("joined.of_springs", self.scene.struts.iter().any(|s| !s.twists())),
-                ("joined.sinking", !self.single()),
+                ("joined.sinking", needed.iter().any(|s| self.symbols.tex(*s).starts_with(['h', 'H']))),
             ];
             let notes = notes.into_iter().filter(|(_, there)| *there);
             let tag = if self.scene.struts.len() > 1 { ",1" } else { "" };
@@ -554,41 +596,17 @@ impl<'d, 'a> Plane<'d, 'a> {
         ratio(1, 2).by(&j).by(square(&self.first))
     }
 
-    /// What the blow does: momentum and angular momentum, and what follows.
+    /// What the blow does.
     fn struck(&mut self) {
-        let Some(blow) = self.blow.clone() else { return };
-        self.begin("blow");
+        let title = if self.impact() { "impact" } else { "blow" };
+        self.begin_as("blow", title);
         if self.instant() {
             self.tell_places();
         }
-        let pivot = self.pivot.clone();
-        if let Some(pivot) = &pivot {
-            self.about_the_pin(pivot);
+        if let Some(pivot) = self.pivot.clone() {
+            self.about_the_pin(&pivot);
         }
-        let name = match &pivot {
-            None if blow.impulses.is_empty() => "joined.blow",
-            None => "joined.blow_joints",
-            Some(pivot) if pivot.radial => "joined.blow_radial",
-            Some(_) => "joined.blow_pinned",
-        };
-        self.say(name, &[("pin", &pivot.map_or_else(String::new, |p| p.name))]);
-        self.page.equations(&blow.rows);
-        let many = blow.demands.len() > FEW;
-        if !blow.demands.is_empty() {
-            let name = if many { "joined.blow_demands_many" } else { "joined.blow_demands" };
-            self.say(name, &[("n", &blow.demands.len().to_string())]);
-        }
-        if !many || self.detail == Detail::Full {
-            self.page.equations(&blow.demands);
-        }
-        // What was solved for together comes before what follows from it.
-        let follows = |s: &SymbolId| blow.steps.iter().any(|step| step.symbol == *s);
-        let solved = blow.unknowns.iter().filter(|s| !follows(s)).map(|s| (*s, (*s).into()));
-        let all = solved.chain(blow.steps.iter().map(|step| (step.symbol, step.from.clone())));
-        let told = all.filter(|(s, _)| !self.symbols.value(*s).is_nan());
-        let lines: Vec<String> = told.map(|(s, from)| self.chain(s, &from)).collect();
-        self.say("joined.together_blow", &[]);
-        self.formulas(lines);
+        self.tell_blow();
     }
 
     /// Equilibrium: no force accelerates anything; and how it swings beside it.
@@ -662,7 +680,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             pieces = vec![("radial", radial), ("across", across), ("pin", name)];
         }
         // The place has been named with the force of the spring.
-        let there = if self.instant() || sprung { "" } else { "_there" };
+        let there = if self.instant() || self.in_place() || sprung { "" } else { "_there" };
         let name = match (pivot.is_some(), self.radial()) {
             (false, _) if self.points() => "joined.point_senses",
             (false, _) => "joined.senses",
@@ -686,9 +704,15 @@ impl<'d, 'a> Plane<'d, 'a> {
             (!many && !self.points() && !all_roll, "joined.demands"),
         ];
         if !demands.is_empty() {
-            for (_, name) in told.into_iter().filter(|(is, _)| *is) {
-                self.say(name, &[("n", &demands.len().to_string())]);
+            let told: Vec<&str> = told.into_iter().filter(|(is, _)| *is).map(|(_, name)| name).collect();
+            let n = demands.len().to_string();
+            let mut told: Vec<String> = told.iter().map(|name| self.phrase(name, &[("n", &n)])).collect();
+            // What leads on to equations stands before them.
+            let last = told.pop();
+            for sentence in told {
+                self.add(format!("{}.", sentence.trim_end_matches(':')));
             }
+            last.into_iter().for_each(|sentence| self.add(sentence));
             if !many || self.detail == Detail::Full {
                 self.page.equations(&demands);
             }
@@ -776,6 +800,48 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.told(rate);
         self.begin_as("why", "which");
         self.say("joined.why_rubs", &[("forces", &self.reactions())]);
+        Ok(())
+    }
+
+    /// Angle, rate and time of a turn at the angular acceleration that the equations of motion give.
+    fn turn_steadily(&mut self) -> Result<(), DerivationStop> {
+        let (rate, turned) = (self.rate, self.turned());
+        let Some(alpha) = self.bodies[self.lead].alpha else { return unfound() };
+        let own: Expr = in_sense(alpha.into(), self.sense);
+        let first = in_sense(self.first.clone(), self.value(&self.first));
+        let twice = own.by(number(2));
+        let gained = |last: &Expr| (square(last) - square(&first)).over(&twice);
+        let (last, way) = match self.scene.end {
+            End::Time(_, t) => {
+                let t = self.number(t, "t", "s");
+                (&first + own.by(&t), first.by(&t) + ratio(1, 2).by(&own).by(square(&t)))
+            }
+            End::Angle(..) => {
+                let [from, to] = self.turns[0].at.clone();
+                let way = in_sense(to - from, self.sense);
+                let way = self.draft.radians(way);
+                (root(square(&first) + twice.by(turned)), way)
+            }
+            End::Speed(_, w) => {
+                let last = self.number(w, r"\omega_1", "rad/s");
+                (last.clone(), gained(&last))
+            }
+            _ => (ZERO, gained(&ZERO)),
+        };
+        self.skip_new();
+        self.page.step(turned, way);
+        self.page.step(rate, last.clone());
+        self.say("joined.in_place", &[("alpha", &self.shown(alpha))]);
+        let after = if last == ZERO { Vec::new() } else { vec![rate] };
+        self.tell([vec![turned], after].concat());
+        if self.asks(Quantity::T) && !matches!(self.scene.end, End::Time(..)) {
+            let last: Expr = if last == ZERO { ZERO } else { rate.into() };
+            let time = self.page.find(&["t", "t_1"], "s", (last - &first).over(&own));
+            self.answer(Label { quantity: Quantity::T, of: Owner::Scene }, time);
+            self.tell([time]);
+        }
+        self.begin_as("why", "which");
+        self.say("joined.why_in_place", &[("forces", &self.reactions())]);
         Ok(())
     }
 

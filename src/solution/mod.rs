@@ -6,7 +6,7 @@
 //! order in which they are worded is one for all, in [`narrate`]; what a question asks by a formula is answered from these in
 //! [`asked`]. The sections, by id, in the order of the text ([`ORDER`]), each where there is something to say:
 //! - `answers` in a box, `given`: the data; `unknown`, `any`: what no sheet gives; `asked_first`: formulas of data alone;
-//! - `idea`, `sketch`; `blow`: what a blow does; `rolled`: could it roll? `short`, `long`, `why`: both ways, and why the first is shorter;
+//! - `idea`, `sketch`; `blow`: what a blow or an impact does ([`blow`]); `rolled`: could it roll? `short`, `long`, `why`: both ways, and why the first is shorter;
 //! - `forces`, `swings`, `rest`: what energy is silent about, and what else is asked; `backward`: from what was measured; `as_if`, `asked`:
 //!   by formulas;
 //! - `holds`: is what was assumed so? `limits`; `next`: the motion that follows, `asked_next`; `beware`: wrong methods with what they
@@ -33,6 +33,7 @@ macro_rules! stands_on {
 mod account;
 mod asked;
 mod beware;
+mod blow;
 pub mod by_hand;
 pub mod draft;
 mod expr;

@@ -375,7 +375,7 @@ fn subtracts(e: &Expr) -> bool {
 /// What friction rolling would need on a contact that is said to slip; `false` where nobody asks.
 fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<bool, DerivationStop> {
     let Tie::Slip { body, mu_s, .. } = draft.scene.ties[tie] else { return Ok(false) };
-    let told = draft.scene.end != End::AtOnce || draft.asks(Quantity::Rolls);
+    let told = draft.scene.end != End::AtOnce || draft.scene.start.is_empty() || draft.asks(Quantity::Rolls);
     let asked = [Quantity::FrictionIfRolled, Quantity::MuRequired];
     if !told && !asked.iter().any(|q| draft.asks(*q)) || draft.stays() && !draft.asks(asked[0]) {
         return Ok(false);
@@ -428,6 +428,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             (Short::Neither, _) => "idea.slips",
             (Short::Motion, End::Time(..)) => "idea.time",
             (Short::Motion, _) => "idea.time_asked",
+            (Short::Energy, _) if self.swings_alone() => "idea.small",
             (Short::Energy, _) if self.placed() && spring => "idea.spring",
             (Short::Energy, _) if self.placed() && !self.straight() => "idea.angle",
             (Short::Energy, _) if self.placed() => "idea.place",
@@ -663,7 +664,10 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         let pulley = self.m.parts.iter().filter(|p| p.line.a.is_none() && p.spin.a.is_some()).count() == 1;
         let weighed = self.scene.bodies.iter().all(|b| b.massless() || !matches!(b.mass, Mass::OfParts));
         match () {
-            () if self.scene.formulas.found.is_some() => "onward.measured",
+            () if let Some(found) = self.scene.formulas.found => {
+                // Of what was measured to be 0 nothing is one per cent too large.
+                if self.values[found.measured.datum] == 0.0 { "onward.other" } else { "onward.measured" }
+            }
             () if self.rests() => "onward.other",
             () if self.slip.is_some() && matches!(self.scene.end, End::Time(..)) => "thrown.onward_time",
             () if self.slip.is_some() => "thrown.onward",
@@ -1783,6 +1787,12 @@ impl<'d, 'a> Account<'d, 'a> {
         Ok(())
     }
 
+    /// Are small oscillations all that is asked?
+    fn swings_alone(&self) -> bool {
+        let small = |q| matches!(q, Quantity::PeriodSmall | Quantity::OmegaSmall);
+        self.needed().iter().all(|label| small(label.quantity))
+    }
+
     /// The most that static friction holds: `mu_s N`.
     fn grip(&mut self, body: usize, mu: Num) -> Result<Expr, DerivationStop> {
         let mu = self.number(mu, r"\mu_s", "1");
@@ -1805,7 +1815,10 @@ impl<'d, 'a> Account<'d, 'a> {
         let Ok(f) = self.get(of_body(Quantity::Friction, body)) else { return Ok(()) };
         let Some(mu) = mu_s else {
             self.say_of("holds.pressed", body, &[("n", &normal)]);
-            self.say("holds.no_coefficient", &[]);
+            // Where the coefficient that it takes was measured, friction is at its limit.
+            let limit = |label: Label| label.quantity == Quantity::MuRequired;
+            let at_limit = self.scene.formulas.found.is_some_and(|found| limit(found.label));
+            self.say(if at_limit { "holds.at_the_limit" } else { "holds.no_coefficient" }, &[]);
             return Ok(());
         };
         let mu = self.number(mu, r"\mu_s", "1");
@@ -1875,10 +1888,12 @@ impl<'d, 'a> Account<'d, 'a> {
             return Ok(None);
         }
         let new: Vec<SymbolId> = self.steps[told..].iter().map(|s| s.symbol).collect();
-        let shown = match new.is_empty() {
-            true => self.shown(t),
-            false => new.iter().map(|s| self.chained(*s)).collect::<Vec<_>>().join(", "),
-        };
+        let (own, others): (Vec<SymbolId>, Vec<SymbolId>) = new.into_iter().partition(|s| *s == t);
+        let mut shown = if own.is_empty() { self.shown(t) } else { self.chained(t) };
+        if !others.is_empty() {
+            let list: Vec<String> = others.iter().map(|s| self.chained(*s)).collect();
+            shown = format!("{shown} ({})", self.phrase("holds.with", &[("list", &list.join(", "))]));
+        }
         Ok((value > 0.0).then_some(shown))
     }
 

@@ -9,7 +9,7 @@ use crate::solution::factors::{Cancel, Sum};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::{FIGURES, tex_digits};
 use crate::solution::terms::Carrying;
-use crate::solution::text::{Block, LINE, SolutionSection};
+use crate::solution::text::{Block, LINE, SolutionSection, WIDEST};
 use crate::solution::written::width;
 
 /// Widest formula that stands within a sentence.
@@ -98,6 +98,15 @@ impl<'d, 'a> Page<'d, 'a> {
     /// `left = right`
     pub fn equation(&self, left: &Expr, right: &Expr) -> String {
         format!("{} = {}", self.tex(left), self.tex(right))
+    }
+    /// The same with this behind it; where it is wider than a line, on several.
+    fn equation_in_lines(&self, [left, right]: [&Expr; 2], behind: &str) -> String {
+        let line = self.equation(left, right);
+        if width(&line) <= WIDEST {
+            return format!("{line}{behind}");
+        }
+        let sides = [left, right].map(|side| side.symbols_in_lines(&self.symbols, LINE).join(r" \\ &\quad "));
+        format!(r"{} \\ &= {}{behind}", sides[0], sides[1])
     }
     /// Notes what a quantity is equal to.
     pub fn step(&mut self, symbol: SymbolId, from: Expr) -> SymbolId {
@@ -305,16 +314,18 @@ impl<'d, 'a> Page<'d, 'a> {
     }
     /// Equations, as many to a line as it holds.
     pub fn equations(&mut self, all: &[(Expr, Expr)]) {
-        let lines: Vec<String> = all.iter().map(|(l, r)| self.equation(l, r)).collect();
+        let lines: Vec<String> = all.iter().map(|(l, r)| self.equation_in_lines([l, r], "")).collect();
         self.formulas(lines);
+    }
+    /// The same; a single short one within the sentence.
+    pub fn equations_or_one(&mut self, all: &[(Expr, Expr)]) {
+        let lines = all.iter().map(|(l, r)| self.equation_in_lines([l, r], "")).collect();
+        self.formulas_or_one(lines);
     }
     /// Work and energy: the works, and what they give; with this behind it where it is one line.
     pub fn tell_balance(&mut self, from_rest: bool, [works, gain]: [&Expr; 2], behind: &str) {
         self.say(if from_rest { "energy.from_rest" } else { "energy.moving" }, &[]);
-        let line = self.equation(works, gain);
-        let fits = width(&line) <= LINE;
-        let lines = format!(r"{} \\ &= {}", self.tex(works), self.tex(gain));
-        self.formula(if fits { format!("{line}{behind}") } else { lines });
+        self.formula(self.equation_in_lines([works, gain], behind));
     }
     /// The pictures of the scene and of its free bodies.
     pub fn sketch(&mut self) {
@@ -328,7 +339,7 @@ impl<'d, 'a> Page<'d, 'a> {
         for (name, equations) in bodies.iter().filter(|(_, equations)| !equations.is_empty()) {
             let (first, last) = (rows.len() + 1, rows.len() + equations.len());
             let each = equations.iter().zip(first..);
-            rows.extend(each.map(|((l, r), n)| format!(r"{} \quad ({n})", self.equation(l, r))));
+            rows.extend(each.map(|((l, r), n)| self.equation_in_lines([l, r], &format!(r" \quad ({n})"))));
             let more = if last > first { format!("–({last})") } else { String::new() };
             whose.push(format!("{name} ({first}){more}"));
         }
@@ -446,7 +457,12 @@ impl<'d, 'a> Page<'d, 'a> {
             let numbers = from.numbers_in_lines(symbols, LINE).join(r" \\ &\quad ");
             return format!(r"{name} &= {letters} \\ &= {numbers} \\ &= {value}");
         }
-        format!("{name} = {letters} = {value}")
+        let line = format!("{name} = {letters} = {value}");
+        if width(&line) <= WIDEST {
+            return line;
+        }
+        let letters = from.symbols_in_lines(symbols, LINE).join(r" \\ &\quad ");
+        format!(r"{name} &= {letters} \\ &= {value}")
     }
     /// Tells what was found since: a few short formulas within the sentence, more of them, or wide ones, displayed, as many on a
     /// line as fit.

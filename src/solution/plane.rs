@@ -7,15 +7,16 @@ use crate::figure::names;
 use crate::num::{Jet, gauss, trig};
 use crate::scene::pose::{self, Layout, Poses};
 use crate::scene::{
-    Acts, Coordinate, Degree, End, Joint, JointKind, Label, Num, Numbers, Owner, Place, Quantity, Ray, Rest,
+    Acts, Coordinate, Degree, End, Joint, JointKind, Label, Num, Numbers, Owner, Place, Quantity, Rest,
     RotaryInertia, Spot, Straight, Strut, StrutEnd, Surface,
 };
 use crate::solution::account::{START_NAMES, of_body, stored};
 use crate::solution::asked;
+use crate::solution::blow::{Blow, is_impulse};
 use crate::solution::draft::Draft;
 use crate::solution::expr::{
-    Expr, ONE, SymbolId, ZERO, cosine, in_sense, length, number, positive_first, power, ratio, root, signed,
-    sine, square, sum,
+    Expr, ONE, SymbolId, ZERO, cosine, in_sense, number, positive_first, power, ratio, root, signed, sine,
+    square, sum,
 };
 use crate::solution::factors::{Cancel, Factors, Sum};
 use crate::solution::page::{Page, Step, WITHIN};
@@ -29,9 +30,12 @@ pub const START: usize = 0;
 /// See [`START`].
 pub const END: usize = 1;
 /// Below this share of the weights a force is rounding.
-const ROUNDING: f64 = 1e-12;
+pub const ROUNDING: f64 = 1e-12;
 /// Below this a component that is 0 is rounding, m.
-const NOTHING: f64 = 1e-12;
+pub const NOTHING: f64 = 1e-12;
+
+/// What stands below the symbols of the two straight pieces of a cord over a pulley.
+const PIECES: [&str; 2] = ["a", "b"];
 
 pub type Vector = [Sum; 2];
 
@@ -51,9 +55,11 @@ pub struct Turn {
     from: [f64; 2],
     across: [f64; 2],
     /// What stands below its symbols.
-    tag: String,
+    pub tag: String,
     /// The joint of a light rod or a cord, which is no body, and its length.
     pub link: Option<(usize, SymbolId)>,
+    /// Is it no angle but a place along a guide, m?
+    pub slides: bool,
 }
 
 /// A coordinate of a place: a fixed part, and lengths times a cosine, a sine or an angle in radians.
@@ -67,7 +73,10 @@ pub struct Line {
 enum Wave {
     Cosine,
     Sine,
+    /// How far a wheel has turned.
     Way,
+    /// A place along a guide, which is no angle.
+    Slide,
 }
 
 impl Line {
@@ -115,8 +124,12 @@ fn between(to: &[Factors; 2], from: &[Factors; 2]) -> [Factors; 2] {
 fn dot(a: &Point, unit: &[Factors; 2]) -> Line {
     a[0].times(&unit[0]).plus(&a[1].times(&unit[1]))
 }
-fn left(unit: &[Factors; 2]) -> [Factors; 2] {
+fn left_of(unit: &[Factors; 2]) -> [Factors; 2] {
     [unit[1].opposite(), unit[0].clone()]
+}
+/// A quarter turn to the left.
+pub fn left(v: &Vector) -> Vector {
+    [v[1].opposite(), v[0].clone()]
 }
 pub fn cross(a: &Vector, b: &Vector) -> Sum {
     a[0].by(&b[1]).plus(&a[1].by(&b[0]).opposite())
@@ -125,7 +138,7 @@ pub fn cross(a: &Vector, b: &Vector) -> Sum {
 pub fn product(a: &Vector, b: &Vector) -> Sum {
     a[0].by(&b[0]).plus(&a[1].by(&b[1]))
 }
-fn vector(unit: &[Factors; 2]) -> Vector {
+pub fn vector(unit: &[Factors; 2]) -> Vector {
     unit.clone().map(Sum::one)
 }
 
@@ -173,7 +186,7 @@ pub struct Pull {
 
 impl Pull {
     /// A couple, counter-clockwise where the sense is 1.
-    fn couple(body: usize, size: Factors, sense: i8) -> Self {
+    pub fn couple(body: usize, size: Factors, sense: i8) -> Self {
         Self { body, size, along: Vector::default(), turn: Sum::one(Factors::one().signed(sense)) }
     }
 }
@@ -181,14 +194,14 @@ impl Pull {
 /// What a joint demands of the accelerations: the point of each of its forces stays, per unit of the unknown, but for what its
 /// motion on a circle takes.
 #[derive(Debug, Clone)]
-struct Hold {
-    joint: usize,
-    unknown: SymbolId,
-    pulls: Vec<Pull>,
+pub struct Hold {
+    pub joint: usize,
+    pub unknown: SymbolId,
+    pub pulls: Vec<Pull>,
     /// What the points accelerate toward the direction by their motion, per square of the leading rate.
     inward: Sum,
     /// What acceleration is given, of a drive.
-    given: Expr,
+    pub given: Expr,
 }
 
 impl Hold {
@@ -219,25 +232,6 @@ pub struct Pivot {
     place: Point,
 }
 
-/// What blows do at an instant.
-#[derive(Debug, Clone)]
-pub struct Blow {
-    /// Momentum and angular momentum, both sides.
-    pub rows: Vec<(Expr, Expr)>,
-    /// What the joints demand of the velocities, both sides.
-    pub demands: Vec<(Expr, Expr)>,
-    /// The bodies, with the changes of velocities in the place of accelerations.
-    pub bodies: Vec<PlaneBody>,
-    /// The impulses of the joints.
-    pub impulses: Vec<(usize, SymbolId)>,
-    /// Was all at rest before?
-    pub from_rest: bool,
-    /// What was solved for.
-    pub unknowns: Vec<SymbolId>,
-    /// How one follows from the other.
-    pub steps: Vec<Step>,
-}
-
 /// A scene of joined bodies as far as it is known.
 pub struct Plane<'d, 'a> {
     /// The page, with the draft and what was found.
@@ -249,7 +243,7 @@ pub struct Plane<'d, 'a> {
     pub bodies: Vec<PlaneBody>,
     /// All forces at the place that is asked, those of joints last.
     pub pulls: Vec<Pull>,
-    holds: Vec<Hold>,
+    pub holds: Vec<Hold>,
     /// The forces of the springs.
     pub springs: Vec<SymbolId>,
     /// The works of all forces that are known.
@@ -293,6 +287,8 @@ pub struct Plane<'d, 'a> {
     pub spun: Option<SymbolId>,
     /// What blows at the start do.
     pub blow: Option<Blow>,
+    /// Along the line on which points part in an impact, and across it, where it slants: the directions in which velocities are told.
+    pub oblique: Option<[Vector; 2]>,
     /// The place of which forces are told: at the start for blows, else [`END`].
     pub here: usize,
     g: Expr,
@@ -308,18 +304,17 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Reads the scene.
     pub fn new(draft: &'d mut Draft<'a>) -> Result<Self, DerivationStop> {
         let Some(lead) = draft.scene.lead() else { return unfound() };
-        let carriers = draft.scene.joints.iter().filter_map(|j| j.kind.carrier());
-        let leads_on = |joint: &Joint| matches!(joint.kind, JointKind::Cord { beyond: Some(_), .. });
-        if draft.scene.arrivals().next().is_some() {
-            return Err(Beyond::Impact.into());
-        }
-        if carriers.into_iter().any(|on| draft.scene.bodies[on.body].turns)
-            || draft.scene.joints.iter().any(|joint| leads_on(joint) || joint.kind.drum().is_some())
-        {
+        let still = draft.scene.is_still();
+        let rests = still && draft.scene.start_speeds().next().is_none();
+        let in_place = draft.scene.spins_in_place();
+        let bodies = &draft.scene.bodies;
+        // How a wheel rolls on a line or a cylinder that turns is not looked at while it moves.
+        let beyond = |kind: &JointKind| {
+            let turning = kind.carrier().is_some_and(|on| bodies[on.body].turns) && kind.rolls()[0];
+            !rests && turning || !still && !in_place && kind.drum().is_some()
+        };
+        if draft.scene.joints.iter().any(|joint| beyond(&joint.kind)) {
             return Err(Beyond::Mechanism.into());
-        }
-        if draft.scene.spins_in_place() && !draft.scene.is_still() {
-            return Err(Beyond::Rubbing.into());
         }
         let g = terms::gravity(draft);
         let carrier = Carrying::of(draft);
@@ -354,6 +349,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             k: None,
             spun: None,
             blow: None,
+            oblique: None,
             here: END,
             g,
             carrier,
@@ -405,6 +401,17 @@ impl<'d, 'a> Plane<'d, 'a> {
         this.find_pivot();
         if this.scene.is_struck() {
             this.strike()?;
+            if this.scene.end == End::AtOnce {
+                this.steps_of[1] = this.steps.len();
+                return Ok(this);
+            }
+        }
+        if in_place && !still {
+            // The angle follows from the acceleration.
+            let (name, way) = (format!(r"\Delta {}", this.letter), this.way().abs());
+            let turned = this.named(&[name], "rad");
+            this.symbols.settle(turned, way, 0.0);
+            this.turned = Some(turned);
         }
         this.act()?;
         this.steps_of[1] = this.steps.len();
@@ -424,10 +431,13 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// The velocity at which parallel guides carry it, to the right (0) or up (1).
     fn glide_to(&mut self, i: usize) -> Option<Expr> {
         let (speed, [c, s]) = (self.glides.clone()?, self.gliding()?);
-        let guide = self.scene.joints.iter().find_map(|j| j.kind.line())?;
-        let unit = self.direction(guide.direction_deg);
+        let unit = match self.scene.joints.iter().find_map(|j| j.kind.line()) {
+            Some(guide) => vector(&self.direction(guide.direction_deg)),
+            // It goes across the light rods or cords that hold it.
+            None => left(&self.holds.first()?.pulls[0].along),
+        };
         let [x, y] = unit.each_ref().map(|u| self.value(&u.expr()));
-        Some(in_sense(speed.by(&unit[i]), c * x + s * y))
+        Some(in_sense(unit[i].times(&speed).expr(), c * x + s * y))
     }
     /// Is it carried at a speed by parallel guides?
     pub fn carried_on(&self) -> bool {
@@ -465,7 +475,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// The cylinder on which a body has its place by the leading angle.
-    fn arc_of(&self, body: usize) -> Option<LeadingArc> {
+    pub fn arc_of(&self, body: usize) -> Option<LeadingArc> {
         let mut leading = (0..self.scene.joints.len()).filter(|j| self.scene.leads_on_arc(*j));
         leading.find_map(|j| match self.scene.joints[j].kind {
             JointKind::Contact {
@@ -508,52 +518,6 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn poses(&self, way: f64, at_start: bool) -> Option<Poses<Jet<f64>>> {
         let numbers = Numbers::<f64>::new(self.scene, &self.values);
         Layout::new(self.scene, &numbers)?.poses::<Jet<f64>>(way, at_start)
-    }
-
-    /// What an instant's blows do: to momenta what forces do to accelerations, with an impulse in the place of each force of a joint.
-    fn strike(&mut self) -> Result<(), DerivationStop> {
-        let (scene, lead, kept, moves) = (self.scene, self.lead, self.bodies.clone(), self.moves);
-        let from_rest = self.first == ZERO;
-        let mark = if from_rest { "s" } else { r"\Delta" };
-        self.here = if scene.end == End::AtOnce { END } else { START };
-        for (body, it) in kept.iter().enumerate() {
-            let named = |this: &mut Self, letter: &str, way: &str, unit: &str| {
-                this.named(&[tagged(letter, &format!("{}{way}{mark}", it.tag))], unit)
-            };
-            let v = ["x", "y"].map(|way| named(self, "v", way, "m/s"));
-            let omega = it.alpha.map(|_| named(self, r"\omega", "", "rad/s"));
-            (self.bodies[body].a, self.bodies[body].alpha) = (v, omega);
-        }
-        for push in scene.pushes.iter().filter(|p| p.blow) {
-            let size = self.number(push.force_n, "J", "N s").factors();
-            let (point, unit) = (self.spot(push.at), self.direction(push.direction_deg));
-            let along = self.frame(&vector(&unit));
-            self.add_pull(push.at.body, &point, size, along);
-        }
-        self.moves = false;
-        self.hold();
-        let rows: Vec<(Expr, Expr)> = (0..kept.len()).flat_map(|b| self.equations(b)).collect();
-        let (demands, unknowns) = (self.demands(), [self.accelerations(), self.reactions()].concat());
-        let all = [rows.clone(), demands.clone()].concat();
-        self.page.settle_all(&all, &unknowns, |_| ROUNDING)?;
-        let before = self.steps.len();
-        self.unravel();
-        let Some(change) = self.bodies[lead].alpha else { return unfound() };
-        let change: Expr = match self.arc_of(self.lead) {
-            Some(arc) => change.over(self.turning_of(arc)),
-            None => change.into(),
-        };
-        self.first = if self.first == ZERO { change } else { &self.first + change };
-        self.sense =
-            if moves && scene.end == End::AtOnce { self.value(&self.first).signum() } else { self.sense };
-        let impulses = self.holds.iter().map(|h| (h.joint, h.unknown)).collect();
-        let steps = self.steps.split_off(before);
-        let bodies = std::mem::replace(&mut self.bodies, kept);
-        self.blow = Some(Blow { rows, demands, bodies, impulses, from_rest, unknowns, steps });
-        (self.moves, self.here) = (moves, END);
-        self.holds.clear();
-        self.pulls.clear();
-        Ok(())
     }
 
     fn read_bodies(&mut self) {
@@ -634,7 +598,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         [x, y].map(|e| Line::fixed(Sum::of(e.terms().iter().map(Factors::of))))
     }
     /// A unit vector along a direction.
-    fn direction(&mut self, degrees: Num) -> [Factors; 2] {
+    pub fn direction(&mut self, degrees: Num) -> [Factors; 2] {
         if let Num::Fixed(x) = degrees
             && x % 90.0 == 0.0
         {
@@ -645,16 +609,20 @@ impl<'d, 'a> Plane<'d, 'a> {
         [cosine(&angle), sine(angle)].map(|e| e.factors())
     }
 
-    /// The direction of a line, which a body that does not turn may carry.
-    fn line(&mut self, line: Straight) -> [Factors; 2] {
-        let [c, s] = self.direction(line.direction_deg);
-        let ray = line.on.and_then(|on| self.scene.planar(on.body)).map(|planar| planar.from);
-        match ray.unwrap_or(Ray::Right) {
-            Ray::Right => [c, s],
-            Ray::Up => [s.opposite(), c],
-            Ray::Left => [c.opposite(), s.opposite()],
-            Ray::Down => [s, c.opposite()],
+    /// The direction of a line, which a body may carry.
+    pub fn line(&mut self, line: Straight) -> Vector {
+        let unit = self.direction(line.direction_deg);
+        match line.on {
+            Some(on) => self.turned_with(on.body, &unit, self.here),
+            None => vector(&unit),
         }
+    }
+    /// A direction that counts from the axis of a body.
+    fn turned_with(&mut self, body: usize, [c, s]: &[Factors; 2], which: usize) -> Vector {
+        let axis = self.axis_of(body);
+        let axis = self.places(&axis, which);
+        let across = left(&axis);
+        [0, 1].map(|i| axis[i].times(c).plus(&across[i].times(s)))
     }
 
     // -- places ---------------------------------------------------------------------------------------------------------
@@ -664,7 +632,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let from = self.scene.planar(body).map_or([1.0, 0.0], |p| p.from.components());
         let sense = if it.clockwise { -1.0 } else { 1.0 };
         let (across, tag) = ([-from[1] * sense, from[0] * sense], it.tag.clone());
-        self.turns.push(Turn { at, rate, from, across, tag, link: None });
+        self.turns.push(Turn { at, rate, from, across, tag, link: None, slides: false });
         self.turns.len() - 1
     }
     fn axis(&self, turn: usize) -> Point {
@@ -706,7 +674,9 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn at(&mut self, line: &Line, which: usize) -> Sum {
         let waves = line.waves.iter().map(|(size, turn, wave)| match wave {
             Wave::Way if which == START => Factors::zero(),
-            Wave::Way => size.times(self.turned()),
+            // What rolls by rolling keeps its ratio to the leading wheel.
+            Wave::Way => size.times(self.turned()).times(&self.turns[*turn].rate[END]),
+            Wave::Slide => size.times(&self.turns[*turn].at[which]),
             _ => size.times(self.wave(*turn, *wave, which, 0)),
         });
         let waves = waves.collect();
@@ -719,13 +689,13 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Its rate, per unit rate of the leading angle.
     fn rate(&self, line: &Line, which: usize) -> Sum {
         Sum::of(line.waves.iter().map(|(size, turn, wave)| match wave {
-            Wave::Way => size.times(&self.turns[*turn].rate[which]),
+            Wave::Way | Wave::Slide => size.times(&self.turns[*turn].rate[which]),
             _ => size.times(self.wave(*turn, *wave, which, 1)),
         }))
     }
     /// What its second derivative has per square of the leading rate, of one leading angle alone.
     fn bend(&self, line: &Line) -> Sum {
-        let waves = line.waves.iter().filter(|w| w.2 != Wave::Way);
+        let waves = line.waves.iter().filter(|w| !matches!(w.2, Wave::Way | Wave::Slide));
         Sum::of(waves.map(|(size, turn, wave)| size.times(self.wave(*turn, *wave, END, 2))))
     }
     pub fn places(&mut self, point: &Point, which: usize) -> Vector {
@@ -736,7 +706,10 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     /// The directions in which forces are told, at the asked place: to the right and up; of a body on a pin toward the pin and
     /// across, with a growing angle.
-    fn basis(&self) -> [Vector; 2] {
+    pub fn basis(&self) -> [Vector; 2] {
+        if let Some(directions) = &self.oblique {
+            return directions.clone();
+        }
         if self.pivot.as_ref().is_some_and(|p| p.radial) {
             return self.circle();
         }
@@ -752,12 +725,12 @@ impl<'d, 'a> Plane<'d, 'a> {
         [axis(0).map(|x| x.opposite()), axis(1)]
     }
     /// A vector, right and up, in these directions.
-    fn frame(&self, v: &Vector) -> Vector {
+    pub fn frame(&self, v: &Vector) -> Vector {
         self.basis().map(|direction| product(v, &direction))
     }
 
     /// The angle that the leading body has turned, in radians with its sign.
-    fn turned(&mut self) -> SymbolId {
+    pub fn turned(&mut self) -> SymbolId {
         if let Some(turned) = self.turned {
             return turned;
         }
@@ -787,7 +760,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         for (at, radius_m, surface) in fixed.filter_map(|j| j.kind.surface()) {
             let Surface::Line(Straight { through_m, direction_deg, .. }) = surface else { continue };
             let (unit, radius) = (self.direction(direction_deg), self.number(radius_m, "r", "m"));
-            let off = along(&Line::fixed(Sum::one(&radius)), &left(&unit));
+            let off = along(&Line::fixed(Sum::one(&radius)), &left_of(&unit));
             let through = plus(&self.ground(through_m), &off);
             let slider = |guided: Spot| {
                 (!placed[guided.body]).then_some(())?;
@@ -840,7 +813,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         if self.value(&gap.expr()) < 0.0 { gap.opposite().upright(&self.symbols) } else { gap }
     }
     /// How far a wheel on a cylinder turns per angle of its centre.
-    fn turning_of(&mut self, arc: LeadingArc) -> Factors {
+    pub fn turning_of(&mut self, arc: LeadingArc) -> Factors {
         let (_, own, _, arc, inside, rolls) = arc;
         if !rolls {
             return Factors::zero();
@@ -910,7 +883,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let tag = if plain.is_empty() { r"\ell".to_owned() } else { plain };
         let at = self.free_angle(&tag, degrees);
         let (from, across, link) = ([1.0, 0.0], [0.0, 1.0], Some((joint, length)));
-        self.turns.push(Turn { at, rate: [ONE, ONE], from, across, tag, link });
+        self.turns.push(Turn { at, rate: [ONE, ONE], from, across, tag, link, slides: false });
         Some((self.turns.len() - 1, Factors::of(&length.into())))
     }
     /// The angle of what leads this joint's point on a circle.
@@ -943,11 +916,21 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     /// What goes on the way, with what the angle of its own adds to it, stays on a line: this ties the angle, and gives its rate.
     fn slide(&mut self, turn: usize, way: &Point, own: &Point, (through, unit): (&Point, &[Factors; 2])) {
-        let normal = left(unit);
+        let normal = left_of(unit);
         self.tie(&dot(&plus(way, own), &normal), &dot(through, &normal));
-        let (way, own) = (dot(way, &normal), dot(own, &normal));
+        self.keep_up(turn, [way, own], |_, _| (vector(&normal), Sum::default()));
+    }
+    /// Gives an angle its rate: what goes on the way, with what the angle adds to it, goes along a direction as fast as this says.
+    fn keep_up(
+        &mut self,
+        turn: usize,
+        [way, own]: [&Point; 2],
+        along: impl Fn(&mut Self, usize) -> (Vector, Sum),
+    ) {
         self.ratio(turn, |this, which| {
-            this.rate(&way, which).opposite().expr().over(this.rate(&own, which).expr())
+            let (unit, speed) = along(this, which);
+            let behind = speed.plus(&product(&this.rates(way, which), &unit).opposite());
+            behind.expr().over(product(&this.rates(own, which), &unit).expr())
         });
     }
     /// What goes on the way, with what one angle adds, meets what another one adds: this ties both, and gives their rates. Along one
@@ -970,17 +953,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         let numbers = Numbers::<f64>::new(self.scene, &self.values);
         let per_way = Layout::new(self.scene, &numbers)?.turned(1.0);
         let way = self.key(of_body(Quantity::Phi, self.lead))? / per_way;
-        let [force, inertia, _] = self.balance_after(0.0)?;
-        let mut spin = self.value(&self.first);
-        if self.scene.is_struck() {
-            let moving = self.poses(0.0, false)?;
-            let blows = self.scene.pushes.iter().filter(|p| p.blow).map(|p| {
-                let v = moving[p.at.body].point(pose::of_spot(self.scene, &numbers, p.at)).map(|x| x.first);
-                let [c, s] = pose::direction(&numbers, p.direction_deg);
-                self.datum(p.force_n) * (v[0] * c + v[1] * s)
-            });
-            spin = spin * inertia + blows.sum::<f64>();
-        }
+        let [force, ..] = self.balance_after(0.0)?;
+        let spin = self.value(&self.first) + energy::joined::rate_from_blows(self.scene, &numbers)?;
         let sense = if spin == 0.0 { force } else { spin };
         Some((way * sense.signum()).to_degrees())
     }
@@ -1061,14 +1035,15 @@ impl<'d, 'a> Plane<'d, 'a> {
             let start = origin.map_or_else(Line::default, |o| dot(&less(&o, &through), &unit));
             let sense = Factors::one().signed(if planar.clockwise { 1 } else { -1 });
             let way = Line { fixed: Sum::default(), waves: vec![(radius.times(sense), turn, Wave::Way)] };
-            let off = along(&Line::fixed(Sum::one(&radius)), &left(&unit));
+            let off = along(&Line::fixed(Sum::one(&radius)), &left_of(&unit));
             let centre = plus(&plus(&through, &along(&start.plus(&way), &unit)), &off);
             self.put(body, &at, &centre);
             return Ok(());
         }
         let links = self.links(body);
         // At an instant what hangs on cords or rods lies where it is placed.
-        let told = self.moves || origin.is_none();
+        let after = scene.is_struck() && scene.end == End::AtOnce;
+        let told = self.moves && self.glides.is_none() && !after || origin.is_none();
         if told && held.is_none() && !links.is_empty() {
             return self.place_on_links(body, &axis).ok_or(Beyond::Mechanism.into());
         }
@@ -1077,7 +1052,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             (Some((at, place)), ..) => less(&place, &from_axis(&axis, &at)),
             (None, [one, other, ..], _) if one.2 != other.2 => {
                 let row = |(at, through, unit): &([Factors; 2], Point, [Factors; 2])| {
-                    let normal = left(unit);
+                    let normal = left_of(unit);
                     let right = dot(through, &normal).less(&dot(&from_axis(&axis, at), &normal));
                     (normal, right)
                 };
@@ -1092,11 +1067,11 @@ impl<'d, 'a> Plane<'d, 'a> {
                 self.open = scene.drifts().is_none();
                 let placed = origin.is_some() && scene.end == End::AtOnce;
                 let start = origin.map_or_else(Line::default, |o| dot(&less(&o, through), unit));
-                let across = dot(&from_axis(&axis, at), &left(unit)).times(&Factors::one().opposite());
+                let across = dot(&from_axis(&axis, at), &left_of(unit)).times(&Factors::one().opposite());
                 // At an instant its axis begins where it is placed.
                 let centre = dot(&axis, unit).times(&self.bodies[body].centre);
                 let ahead = if placed { start } else { start.less(&centre) };
-                plus(through, &plus(&along(&ahead, unit), &along(&across, &left(unit))))
+                plus(through, &plus(&along(&ahead, unit), &along(&across, &left_of(unit))))
             }
             (None, _, Some(place)) if scene.end == End::AtOnce => {
                 self.open = true;
@@ -1135,16 +1110,25 @@ impl<'d, 'a> Plane<'d, 'a> {
         let Some(planar) = scene.planar(body) else { return unfound() };
         let held = self.held(body, placed);
         let loose = scene.end == End::AtOnce && self.value(&self.first) == 0.0;
-        if let (true, true, Some(start)) = (scene.bodies[body].turns, loose, planar.start_deg) {
+        let own = planar.origin_m.filter(|_| loose && held.is_none());
+        let own = own.map(|place| ([Factors::zero(), Factors::zero()], self.ground(place)));
+        // What is round and lies where it is placed has no angle.
+        let start = planar.start_deg.or_else(|| own.is_some().then_some(Num::Fixed(0.0)));
+        let known = held.or(own);
+        if let (true, true, Some(start)) = (scene.bodies[body].turns, loose, start) {
             let start = self.number(start, r"\beta", "deg");
             self.open = true;
             self.bodies[body].turn = Some(self.add_turn(body, [start.clone(), start], [ZERO, ZERO]));
-            let own = planar.origin_m.map(|place| ([Factors::zero(), Factors::zero()], self.ground(place)));
-            let known = held.or(own);
             known.iter().for_each(|(at, place)| self.put(body, at, place));
             return Ok(known.is_some());
         }
-        let Some((at, place)) = held else { return Ok(false) };
+        if known.is_none() && (self.slotted(body, placed) || self.carried_by_wheel(body, placed)) {
+            return Ok(true);
+        }
+        if known.is_none() && (self.rolls_between(body, placed, angles) || self.roped(body, placed)) {
+            return Ok(true);
+        }
+        let Some((at, place)) = known else { return Ok(false) };
         if !scene.bodies[body].turns {
             self.put(body, &at, &place);
             return Ok(true);
@@ -1161,7 +1145,28 @@ impl<'d, 'a> Plane<'d, 'a> {
         let guided = self.guided(body, placed).into_iter().next();
         let pair = self.pair(body, placed);
         if track.is_none() && circle.is_none() && guided.is_none() && pair.is_none() {
-            return Ok(false);
+            let held = (&at, &place);
+            if self.turns_in_slot(body, held, placed, angles)
+                || self.turns_on_link(body, held, angles).is_some()
+            {
+                return Ok(true);
+            }
+            // What a surface or another body holds fast, as the lever of a brake, keeps the angle that the key has.
+            let turns = |pose: &pose::Pose<Jet<f64>>| pose.turn().0.abs() > ROUNDING;
+            let moves = self.both_poses().is_none_or(|poses| poses.iter().any(|all| turns(&all[body])));
+            if moves {
+                return Ok(false);
+            }
+            // One that lies along the direction from which it counts needs no letter.
+            let level = angles.iter().all(|all| all[body].abs() < NOTHING.to_degrees());
+            let turn = match level {
+                true => self.add_turn(body, [ZERO, ZERO], [ZERO, ZERO]),
+                false => self.free_turn(body, angles),
+            };
+            self.bodies[body].turn = Some(turn);
+            self.turns[turn].rate = [ZERO, ZERO];
+            self.put(body, &at, &place);
+            return Ok(true);
         }
         let turn = self.free_turn(body, angles);
         self.put(body, &at, &place);
@@ -1191,6 +1196,215 @@ impl<'d, 'a> Plane<'d, 'a> {
         Ok(true)
     }
 
+    /// Places a body that is guided without turning, in whose slot a point of another body is, as a Scotch yoke.
+    fn slotted(&mut self, body: usize, placed: &[bool]) -> bool {
+        let scene = self.scene;
+        let slot = scene.joints.iter().find_map(|joint| {
+            let (at, radius, surface) = joint.kind.surface().filter(|_| !joint.kind.rolls()[0])?;
+            let Surface::Line(line) = surface else { return None };
+            let on = line.on.filter(|on| on.body == body && placed[at.body])?;
+            Some((at, radius, line, on))
+        });
+        let guided = self.guided(body, placed).into_iter().next();
+        let (Some((at, radius, line, on)), Some((own, through, unit)), false) =
+            (slot, guided, scene.bodies[body].turns)
+        else {
+            return false;
+        };
+        let normal = left(&self.line(line)).map(|x| x.expr().factors());
+        let radius = Line::fixed(Sum::one(self.number(radius, "r", "m")));
+        let (point, on) = (self.spot(at), self.of_spot(on));
+        let within = from_axis(&self.axis_of(body), &between(&own, &on));
+        let apart = dot(&plus(&less(&point, &through), &within), &normal).less(&radius);
+        let per = product(&vector(&unit), &vector(&normal)).expr();
+        let place = plus(&through, &along(&apart.times(&Factors::one().per(&per)), &unit));
+        self.put(body, &own, &place);
+        true
+    }
+    /// The line of a joint at which a wheel rolls on a body: the wheel's centre, its radius, the line.
+    fn rolled_on(&self, which: impl Fn(Spot, Spot) -> bool) -> Option<(Spot, Num, Straight)> {
+        self.scene.joints.iter().filter(|joint| joint.kind.rolls()[0]).find_map(|joint| {
+            let (at, radius, surface) = joint.kind.surface()?;
+            let Surface::Line(line) = surface else { return None };
+            which(at, line.on?).then_some((at, radius, line))
+        })
+    }
+    /// Places a body without a turn that a wheel with a place carries along: a rack in its bed, a plank on rollers.
+    fn carried_by_wheel(&mut self, body: usize, placed: &[bool]) -> bool {
+        let wheel = self.rolled_on(|at, on| on.body == body && placed[at.body]);
+        let (Some((at, radius, line)), false) = (wheel, self.scene.bodies[body].turns) else { return false };
+        let (Some(turn), along_line) = (self.bodies[at.body].turn, self.line(line)) else { return false };
+        let guided = self.guided(body, placed).into_iter().next();
+        let line = along_line.map(|x| x.expr().factors());
+        let (own, through, unit) = guided.unwrap_or_else(|| {
+            let none = || [Factors::zero(), Factors::zero()];
+            (none(), [Line::default(), Line::default()], line.clone())
+        });
+        let centre = dot(&self.spot(at), &unit);
+        let first = Line::fixed(self.at(&centre, START));
+        let placed_at = self.scene.planar(body).and_then(|p| p.origin_m).map(|place| self.ground(place));
+        let start = match placed_at {
+            Some(origin) => plus(&origin, &from_axis(&self.axis_of(body), &own)),
+            // It lies under the wheel.
+            None => plus(&through, &along(&first.less(&dot(&through, &unit)), &unit)),
+        };
+        let radius = self.number(radius, "r", "m").factors();
+        let share = product(&vector(&line), &vector(&unit)).expr().factors();
+        let size = radius.times(share).signed(self.sense_of(at.body));
+        let rolled = Line { fixed: Sum::default(), waves: vec![(size, turn, Wave::Way)] };
+        let way = centre.less(&first).plus(&rolled);
+        self.put(body, &own, &plus(&start, &along(&way, &unit)));
+        true
+    }
+    /// Places a wheel between two lines: it rolls on a fixed one and under a body with a place.
+    fn rolls_between(&mut self, body: usize, placed: &[bool], angles: &[Vec<f64>; 2]) -> bool {
+        let upper = self.rolled_on(|at, on| at.body == body && placed[on.body]);
+        let place = self.scene.planar(body).and_then(|p| p.origin_m);
+        let (Some((_, upper, line)), Some(place), Some((at, _, unit, lower))) =
+            (upper, place, self.rolls(body))
+        else {
+            return false;
+        };
+        let Some(on) = line.on else { return false };
+        let turn = self.free_turn(body, angles);
+        let (sense, upper) = (self.sense_of(body), self.number(upper, "r", "m").factors());
+        let share = product(&self.line(line), &vector(&unit)).expr().factors();
+        let per = lower.opposite().plus(&upper.times(share)).signed(sense);
+        let carrier = self.spot(on);
+        self.ratio(turn, |this, which| {
+            product(&this.rates(&carrier, which), &vector(&unit)).times(Factors::one().per(&per)).expr()
+        });
+        let way = Line { fixed: Sum::default(), waves: vec![(lower.signed(-sense), turn, Wave::Way)] };
+        let start = self.ground(place);
+        let start = plus(&start, &from_axis(&self.axis_of(body), &at));
+        self.put(body, &at, &plus(&start, &along(&way, &unit)));
+        true
+    }
+    /// Places a body at the end of a cord that comes over a small pulley from one with a place, on the guide along which it slides.
+    fn roped(&mut self, body: usize, placed: &[bool]) -> bool {
+        let cord = self.scene.joints.iter().enumerate().find_map(|(j, joint)| {
+            let JointKind::Cord { at, place_m, beyond: Some((far, from)), .. } = joint.kind else {
+                return None;
+            };
+            let ends = [(at, place_m), (far, from)];
+            let own = usize::from(at.body != body);
+            let [one, other] = [ends[own], ends[1 - own]];
+            (one.0.body == body && placed[other.0.body]).then_some((j, own, [one, other]))
+        });
+        let guided = self.guided(body, placed).into_iter().next();
+        let (Some((j, first, ends)), Some((own, through, unit)), Some(poses)) =
+            (cord, guided, self.both_poses())
+        else {
+            return false;
+        };
+        if self.scene.bodies[body].turns {
+            return false;
+        }
+        let [x, y] = [0, 1].map(|i| self.value(&through[i].fixed.expr()));
+        let [c, s] = unit.each_ref().map(|u| self.value(&u.expr()));
+        let offset = own.each_ref().map(|x| self.value(&x.expr()));
+        let at = poses.map(|all| {
+            let [u, w] = all[body].point(offset).map(|p| p.value);
+            (u - x) * c + (w - y) * s
+        });
+        let tag = self.bodies[body].tag.clone();
+        let marks: &[&str] = if self.scene.end == End::AtOnce { &[""] } else { &["0", "1"] };
+        let at: Vec<Expr> = marks
+            .iter()
+            .zip(at)
+            .map(|(mark, at)| {
+                let symbol = self.named(&[tagged("s", &format!("{tag}{mark}"))], "m");
+                self.symbols.settle(symbol, at, 0.0);
+                symbol.into()
+            })
+            .collect();
+        let at = [at[0].clone(), at[at.len() - 1].clone()];
+        let (from, across) = ([0.0; 2], [0.0; 2]);
+        self.turns.push(Turn { at, rate: [ONE, ONE], from, across, tag, link: None, slides: true });
+        let turn = self.turns.len() - 1;
+        let slides = Line { fixed: Sum::default(), waves: vec![(Factors::one(), turn, Wave::Slide)] };
+        let own_way = along(&slides, &unit);
+        self.put(body, &own, &plus(&through, &own_way));
+        // The lengths of both straight pieces, and their directions toward the pulley.
+        let pieces = ends.map(|(spot, from)| less(&self.ground(from), &self.spot(spot)));
+        let (mut lengths, plain) = (Vec::new(), names::joint(self.scene, j));
+        for which in self.looked_at() {
+            let own = [0, 1].map(|i| {
+                let apart = self.places(&pieces[i], which);
+                let is = self.size(&apart);
+                let name = format!("{plain}{}{which}", PIECES[if i == 0 { first } else { 1 - first }]);
+                self.named_by([r"\ell", "d"], &name, "m", is)
+            });
+            lengths.push(own);
+        }
+        if let [[a, b], [c, d]] = &lengths[..] {
+            self.loops.push([a + b, c + d].map(|side| self.tex(&side)));
+        }
+        let still = [Line::default(), Line::default()];
+        self.keep_up(turn, [&still, &own_way], |this, which| {
+            let own = &lengths[which.min(lengths.len() - 1)];
+            let units =
+                [0, 1].map(|i| this.places(&pieces[i], which).map(|x| x.times(Factors::one().per(&own[i]))));
+            let speed = product(&units[1], &this.rates(&pieces[1], which));
+            let [unit, _] = units;
+            (unit, speed)
+        });
+        true
+    }
+    /// Turns a body that is held at a place so that a point of another one stays in its slot.
+    fn turns_in_slot(
+        &mut self,
+        body: usize,
+        (at, place): (&[Factors; 2], &Point),
+        placed: &[bool],
+        angles: &[Vec<f64>; 2],
+    ) -> bool {
+        let slot = self.scene.joints.iter().filter(|joint| !joint.kind.rolls()[0]).find_map(|joint| {
+            let (guided, radius, surface) = joint.kind.surface()?;
+            let Surface::Line(line) = surface else { return None };
+            let on = line.on.filter(|on| on.body == body && placed[guided.body])?;
+            Some((guided, radius, line, on))
+        });
+        let Some((guided, radius, line, on)) = slot else { return false };
+        let turn = self.free_turn(body, angles);
+        self.put(body, at, place);
+        let (unit, radius) = (self.direction(line.direction_deg), self.number(radius, "r", "m"));
+        let (point, through) = (self.spot(guided), self.spot(on));
+        let apart = less(&point, &through);
+        let normal = left(&self.turned_with(body, &unit, END));
+        let across = product(&self.places(&apart, END), &normal).plus(&Sum::one(&radius).opposite());
+        let sides = across.sides();
+        self.loops.push(sides.each_ref().map(|side| self.tex(side)));
+        let (sense, within) = (self.sense_of(body), less(&through, place));
+        self.ratio(turn, |this, which| {
+            // Across the slot the point moves as the slot does there.
+            let normal = left(&this.turned_with(body, &unit, which));
+            let share = |this: &Self, p: &Point| product(&this.rates(p, which), &normal);
+            let moves = share(this, &point).plus(&share(this, place).opposite());
+            let swept = cross(&this.places(&apart, which), &normal).signed(sense);
+            moves.expr().over(share(this, &within).plus(&swept).expr())
+        });
+        true
+    }
+    /// Turns a body that is held at a place as a light rod or a cord at another point of it lets it.
+    fn turns_on_link(
+        &mut self,
+        body: usize,
+        (at, place): (&[Factors; 2], &Point),
+        angles: &[Vec<f64>; 2],
+    ) -> Option<()> {
+        let of_cord =
+            |joint: usize| matches!(self.scene.joints[joint].kind, JointKind::Cord { beyond: None, .. });
+        let link = self.links(body).into_iter().find(|(.., joint)| of_cord(*joint))?;
+        let turn = self.free_turn(body, angles);
+        self.put(body, at, place);
+        let (second, length) = self.link(link)?;
+        let (to, far) = (self.of_spot(link.0), self.ground(link.1));
+        let own = from_axis(&self.axis(turn), &between(&to, at));
+        let across = times(&self.axis(second), &length);
+        self.close(&less(place, &far), (turn, &own), (second, &across));
+        Some(())
+    }
     /// The body with a place to which this one is welded.
     fn welded(&self, body: usize, placed: &[bool]) -> Option<usize> {
         let hinges = self.scene.joints.iter().filter_map(|j| hinge_of(j, body));
@@ -1240,6 +1454,10 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn ratio(&mut self, turn: usize, of: impl Fn(&mut Self, usize) -> Expr) {
         self.turns[turn].rate[START] = if self.first == ZERO { ZERO } else { of(self, START) };
         let is = of(self, END);
+        if matches!(is, Expr::Number(..)) {
+            self.turns[turn].rate[END] = is;
+            return;
+        }
         // In a dead centre it does not turn.
         if self.value(&is).abs() < ROUNDING {
             self.turns[turn].rate[END] = ZERO;
@@ -1266,7 +1484,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// A known force at a point of a body.
-    fn add_pull(&mut self, body: usize, point: &Point, size: Factors, along: Vector) {
+    pub fn add_pull(&mut self, body: usize, point: &Point, size: Factors, along: Vector) {
         let pull = self.pull(body, point, size, along);
         self.pulls.push(pull);
     }
@@ -1283,17 +1501,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 continue;
             }
             let unit = self.direction(push.direction_deg);
-            let along = if push.turns {
-                let axis = self.axis_of(push.at.body);
-                let axis = self.places(&axis, END);
-                let [c, s] = &unit;
-                [
-                    axis[0].times(c).plus(&axis[1].times(s.opposite())),
-                    axis[1].times(c).plus(&axis[0].times(s)),
-                ]
-            } else {
-                vector(&unit)
-            };
+            let along = if push.turns { self.turned_with(push.at.body, &unit, END) } else { vector(&unit) };
             let (point, along) = (self.spot(push.at), self.frame(&along));
             let pull = self.pull(push.at.body, &point, size.clone(), along);
             let moment = pull.turn.times(size.signed(self.sense_of(push.at.body))).expr();
@@ -1553,15 +1761,15 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// The forces of the joints, and what each demands.
-    fn hold(&mut self) {
+    pub fn hold(&mut self) {
         let scene = self.scene;
         let blow = scene.is_struck() && self.blow.is_none();
         for (j, joint) in scene.joints.iter().enumerate() {
             let plain = names::joint(scene, j);
-            // The letter of a force, and that of an impulse.
-            let named = |this: &mut Self, [force, impulse]: [&str; 2], below: &str| {
-                let (letter, unit) = if blow { (impulse, "N s") } else { (force, "N") };
-                this.named(&[tagged(letter, &format!("{plain}{below}"))], unit)
+            // The letter of a force; impulses differ by what stands below.
+            let named = |this: &mut Self, force: &str, below: &str| {
+                let name = if blow { tagged("J", &format!("{plain}{below}")) } else { tagged(force, &plain) };
+                this.named(&[name], if blow { "N s" } else { "N" })
             };
             match joint.kind {
                 JointKind::Pin { .. } | JointKind::Hinge { .. } => {
@@ -1572,15 +1780,13 @@ impl<'d, 'a> Plane<'d, 'a> {
                             let names = if pivot.radial { ["J_r", "J_t"] } else { ["J_x", "J_y"] };
                             names.map(|name| self.named(&[name], "N s"))
                         }
-                        None => {
-                            let below = if blow { ["x", "y"] } else { ["", ""] };
-                            [0, 1].map(|i| named(self, [["X", "Y"][i], "J"], below[i]))
-                        }
+                        None => [["X", "x"], ["Y", "y"]].map(|[force, below]| named(self, force, below)),
                     };
                     for (force, u) in forces.into_iter().zip(axes()) {
+                        let u = if self.oblique.is_some() { self.frame(&u) } else { u };
                         let along = |sense: i8| u.each_ref().map(|x| x.signed(sense));
                         let ends: Vec<_> = ends().map(|(spot, sense)| (spot, along(sense))).collect();
-                        self.add_hold(j, force, &ends, None);
+                        self.add_hold(j, force, &ends, &[]);
                     }
                     if let JointKind::Hinge { turned_deg: Some(_), .. } = joint.kind {
                         let couple = self.named(&[tagged("M", &plain)], "N m");
@@ -1590,44 +1796,61 @@ impl<'d, 'a> Plane<'d, 'a> {
                     }
                 }
                 JointKind::Guide { at, line, mu_k, .. } => {
-                    let force = named(self, ["N", "J"], "");
+                    let force = named(self, "N", "");
                     let line = self.line(line);
-                    self.add_hold(j, force, &[(at, vector(&left(&line)))], None);
+                    let normal = self.frame(&left(&line));
+                    self.add_hold(j, force, &[(at, normal)], &[]);
                     if let Some(mu) = mu_k {
-                        self.rub(j, at, &vector(&line), (mu, ZERO.factors()), force);
+                        self.rub(j, at, &line, (mu, ZERO.factors()), force);
                     }
                 }
                 JointKind::Contact { at, radius_m, surface, rolls, mu_k, teeth } => {
                     // Teeth press along the rim alone.
-                    let normal = (!teeth).then(|| named(self, ["N"; 2], ""));
-                    let friction = rolls.then(|| named(self, ["F"; 2], ""));
+                    let normal = (!teeth).then(|| named(self, "N", "n"));
+                    let friction = rolls.then(|| named(self, "F", "t"));
                     let (right, radius) = self.touch(j, [normal, friction], at, radius_m, surface);
                     if let (Some(mu), Some(normal)) = (mu_k, normal) {
                         self.rub(j, at, &right, (mu, radius), normal);
                     }
                 }
-                JointKind::Cord { at, place_m, .. } => {
-                    let force = named(self, ["T", "J"], "");
-                    let apart = match self.linked(j) {
-                        Some(turn) => {
-                            let length = self.turns[turn].link.map_or(ZERO, |(_, length)| length.into());
-                            times(&self.axis(turn), &(-length).into())
-                        }
-                        None => less(&self.ground(place_m), &self.spot(at)),
-                    };
-                    let apart = self.places(&apart, self.here);
-                    let is = self.size(&apart);
-                    let length: Expr = match is {
-                        Expr::Symbol(s) => s.into(),
-                        is => self.page.find(&[tagged(r"\ell", &plain)], "m", is).into(),
-                    };
-                    let tag = if plain.is_empty() { plain } else { format!(",{plain}") };
-                    let along = self.unit(&apart, &length, ["u", "w"], &tag);
-                    let toward = Factors::one().per(&length);
-                    self.add_hold(j, force, &[(at, along)], Some(toward));
+                JointKind::Cord { at, place_m, beyond, .. } => {
+                    let force = named(self, "T", "");
+                    let ends = [(at, place_m)].into_iter().chain(beyond);
+                    let ends: Vec<(Spot, Vector, Factors)> =
+                        ends.enumerate().map(|(i, end)| self.pulled_by_cord(j, end, i)).collect();
+                    let toward: Vec<Factors> = ends.iter().map(|(.., toward)| toward.clone()).collect();
+                    let ends: Vec<_> = ends.into_iter().map(|(spot, along, _)| (spot, along)).collect();
+                    self.add_hold(j, force, &ends, &toward);
                 }
             }
         }
+    }
+
+    /// An end of a cord or a light rod: its direction from there, and 1 over its length.
+    fn pulled_by_cord(
+        &mut self,
+        joint: usize,
+        (at, place): (Spot, [Num; 2]),
+        end: usize,
+    ) -> (Spot, Vector, Factors) {
+        let over = matches!(self.scene.joints[joint].kind, JointKind::Cord { beyond: Some(_), .. });
+        let plain = format!("{}{}", names::joint(self.scene, joint), if over { PIECES[end] } else { "" });
+        let apart = match self.linked(joint) {
+            Some(turn) => {
+                let length = self.turns[turn].link.map_or(ZERO, |(_, length)| length.into());
+                times(&self.axis(turn), &(-length).into())
+            }
+            None => less(&self.ground(place), &self.spot(at)),
+        };
+        let apart = self.places(&apart, self.here);
+        let is = self.size(&apart);
+        let length: Expr = match is {
+            Expr::Symbol(s) => s.into(),
+            is => self.page.find_once(&[tagged(r"\ell", &plain)], "m", is).into(),
+        };
+        let tag = if plain.is_empty() { plain } else { format!(",{plain}") };
+        let along = self.unit(&apart, &length, ["u", "w"], &tag);
+        (at, self.frame(&along), Factors::one().per(&length))
     }
 
     /// The couple that gives the leading body its angular acceleration.
@@ -1650,7 +1873,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     ) -> (Vector, Factors) {
         let own = self.number(radius_m, "r", "m").factors();
         let (normal, bend, radius): (Vector, Option<Factors>, Factors) = match surface {
-            Surface::Line(line) => (vector(&left(&self.line(line))), None, own),
+            Surface::Line(line) => (left(&self.line(line)), None, own),
             Surface::Arc { centre_m, radius_m: arc, inside, .. } => {
                 let arc = self.number(arc, "R", "m").factors();
                 let apart = self.apart(&own, &arc, inside);
@@ -1673,10 +1896,10 @@ impl<'d, 'a> Plane<'d, 'a> {
         let sense = if up < 0.0 { -1 } else { 1 };
         let (along, rim) = (right.each_ref().map(|x| x.signed(sense)), radius.signed(sense));
         if let Some(force) = press {
-            self.add_hold(joint, force, &[(at, normal)], bend);
+            self.add_hold(joint, force, &[(at, normal)], bend.as_slice());
         }
         if let Some(force) = grip {
-            self.add_hold(joint, force, &[(at, along)], None);
+            self.add_hold(joint, force, &[(at, along)], &[]);
             let turn = Sum::one(&rim);
             if let Some(hold) = self.holds.last_mut() {
                 for (pull, sense) in hold.pulls.iter_mut().zip([1, -1]) {
@@ -1687,10 +1910,10 @@ impl<'d, 'a> Plane<'d, 'a> {
         (right, radius)
     }
 
-    fn add_hold(&mut self, joint: usize, force: SymbolId, ends: &[(Spot, Vector)], toward: Option<Factors>) {
-        let mut inward = Sum::default();
+    fn add_hold(&mut self, joint: usize, force: SymbolId, ends: &[(Spot, Vector)], toward: &[Factors]) {
+        let (mut inward, mut given) = (Sum::default(), ZERO);
         let mut pulls = Vec::new();
-        for (spot, u) in ends {
+        for (i, (spot, u)) in ends.iter().enumerate() {
             let point = self.spot(*spot);
             pulls.push(self.pull(spot.body, &point, force.factors(), u.clone()));
             if !self.moves {
@@ -1699,16 +1922,32 @@ impl<'d, 'a> Plane<'d, 'a> {
             let lever = self.lever(spot.body, &point);
             let spin = self.spin(spot.body);
             inward = inward.plus(&product(u, &lever).times(square(&spin)));
-            if let Some(toward) = &toward {
+            if let Some(toward) = toward.get(i) {
                 let v = self.rates(&point, END);
-                inward = inward.plus(&product(&v, &v).times(toward));
+                // Along a cord that runs over a pulley it moves as well.
+                let across =
+                    if ends.len() > 1 { Sum::one(square(cross(u, &v).expr())) } else { product(&v, &v) };
+                inward = inward.plus(&across.times(toward));
+                given =
+                    self.glides.as_ref().map_or(ZERO, |speed| toward.times(speed.factors().squared()).expr());
             }
         }
         if let (Some(on), [(at, u)]) = (self.scene.joints[joint].kind.bearer(), ends) {
             let (point, back) = (self.spot(*at), u.each_ref().map(|x| x.signed(-1)));
+            if self.moves && self.scene.joints[joint].kind.carrier().is_some() {
+                // The line turns: what is on it has the acceleration of its place there, and that of Coriolis.
+                let (lever, spin) = (self.lever(on.body, &point), self.spin(on.body));
+                let v = self.rates(&less(&point, &self.centre(on.body)), END);
+                let spun = left(&lever).map(|x| x.times(&spin).signed(self.sense_of(on.body)));
+                let along = [u[1].clone(), u[0].opposite()];
+                let slides = product(&[0, 1].map(|i| v[i].plus(&spun[i].opposite())), &along);
+                inward = inward.plus(&product(&back, &lever).times(square(&spin)));
+                let twice = spin.by(number(2)).factors().signed(self.sense_of(on.body));
+                inward = inward.plus(&slides.times(twice));
+            }
             pulls.push(self.pull(on.body, &point, force.factors(), back));
         }
-        self.holds.push(Hold { joint, unknown: force, pulls, inward, given: ZERO });
+        self.holds.push(Hold { joint, unknown: force, pulls, inward, given });
     }
 
     /// Friction of a guide, or at the rim of a wheel of this radius, against the sense in which it slides: as the key has it.
@@ -1895,7 +2134,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// What the equations give one after the other: each from one in which it is the only unknown.
-    fn unravel(&mut self) {
+    pub fn unravel(&mut self) {
         let mut open = [self.accelerations(), self.reactions()].concat();
         open.retain(|s| !self.symbols.value(*s).is_nan());
         let rows = self.rows_in_order(false);
@@ -2236,9 +2475,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn of_pivot(&mut self, label: Label) -> Result<Option<SymbolId>, DerivationStop> {
         use Quantity as Q;
         if let Some(blow) = self.blow.clone() {
-            let impulses =
-                matches!(label.quantity, Q::Impulse | Q::ImpulseX | Q::ImpulseY | Q::FrictionImpulse);
-            if let (true, Owner::Joint(j)) = (impulses, label.of) {
+            if let (true, Owner::Joint(j)) = (is_impulse(label.quantity), label.of) {
                 return Ok(self.impulse_of(&blow, j, label.quantity));
             }
             let free = self.scene.end == End::AtOnce && self.pivot.is_none() && blow.from_rest;
@@ -2312,53 +2549,6 @@ impl<'d, 'a> Plane<'d, 'a> {
         let own = sum(it.inertia.iter().map(Factors::expr));
         let is = if self.symbols.value(omega) == 0.0 { ZERO } else { own * Expr::from(omega) };
         Ok(self.page.find_once(&names, Quantity::AngularMomentum.unit(), is))
-    }
-    /// Velocities and energy right after a blow on bodies at rest.
-    fn just_after(&mut self, blow: &Blow, label: Label) -> Option<SymbolId> {
-        use Quantity as Q;
-        let it = |b: usize| &blow.bodies[b];
-        let (names, is) = match (label.quantity, label.of) {
-            (Q::VX, Owner::Body(b)) => return Some(it(b).a[0]),
-            (Q::VY, Owner::Body(b)) => return Some(it(b).a[1]),
-            (Q::V, Owner::Body(b)) => {
-                (["v", "u"].map(|l| tagged(l, &it(b).tag)), length(it(b).a[0], it(b).a[1]))
-            }
-            (Q::Omega, Owner::Body(b)) => return Some(self.page.sized(it(b).alpha?)),
-            (Q::V, Owner::Spot(spot)) => {
-                let away = less(&self.spot(spot), &self.centre(spot.body));
-                let [x, y] = self.places(&away, END);
-                let spin = it(spot.body).alpha.map_or(ZERO, Expr::from);
-                let spin = in_sense(spin, f64::from(self.sense_of(spot.body)));
-                let [a, b] = it(spot.body).a;
-                let name = self.scene.point_name(spot).map_or("P", |n| n.1);
-                (["v", "u"].map(|l| tagged(l, name)), length(a - y.expr() * &spin, b + x.expr() * spin))
-            }
-            (Q::KineticEnergy, _) => {
-                let each = blow.bodies.iter().flat_map(|b| {
-                    let straight = b.a.map(|v| b.mass.by(square(v)));
-                    let spin = b.alpha.map_or(ZERO, |w| sum(b.inertia.iter().map(Factors::expr)) * square(w));
-                    straight.into_iter().chain([spin])
-                });
-                (["E_{k}", r"E_{\mathrm{kin}}"].map(str::to_owned), ratio(1, 2) * sum(each))
-            }
-            _ => return None,
-        };
-        Some(self.page.find_once(&names, label.quantity.unit(), is))
-    }
-    /// The impulse of a joint, to the right or up where it has both.
-    fn impulse_of(&mut self, blow: &Blow, joint: usize, quantity: Quantity) -> Option<SymbolId> {
-        let own = blow.impulses.iter().filter(|(j, _)| *j == joint);
-        let own: Vec<SymbolId> = own.map(|(_, symbol)| *symbol).collect();
-        let i = usize::from(matches!(quantity, Quantity::ImpulseY | Quantity::FrictionImpulse));
-        if !self.pivot.as_ref().is_some_and(|p| p.radial) {
-            return own.get(i).copied();
-        }
-        // The place of the blow is that of the start.
-        self.here = if self.scene.end == End::AtOnce { END } else { START };
-        let shares = own.iter().zip(self.basis());
-        let is = positive_first(shares.map(|(impulse, unit)| unit[i].times(*impulse).expr()));
-        self.here = END;
-        Some(self.page.find_once(&[["J_x", "S_x"], ["J_y", "S_y"]][i], "N s", is))
     }
     /// The moment of all couples on a body, that of its drive among them, positive with a growing angle.
     fn couple(&mut self, body: usize, drive: Option<Expr>) -> Expr {

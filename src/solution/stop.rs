@@ -53,12 +53,8 @@ pub fn unfound<T>() -> Result<T, DerivationStop> {
 pub enum Beyond {
     /// A force that grows on bodies of several freedoms.
     GrowingForce,
-    /// Bodies that move before an impact.
-    Impact,
     /// A mechanism that is not placed, or not looked through.
     Mechanism,
-    /// A wheel that turns on the spot while it rubs: forces stay as they are, and it is not said in closed form.
-    Rubbing,
     /// What a motion that follows takes over.
     Next,
     /// A motion in phases, in which contacts come to rest one after the other.
@@ -85,9 +81,7 @@ impl Beyond {
     pub fn text(self, words: &Words) -> String {
         let (what, quantity) = match self {
             Self::GrowingForce => ("growing_force", None),
-            Self::Impact => ("impact", None),
             Self::Mechanism => ("mechanism", None),
-            Self::Rubbing => ("rubbing", None),
             Self::Next => ("next", None),
             Self::Phases => ("phases", None),
             Self::Slack => ("slack", None),
@@ -111,9 +105,7 @@ mod tests {
         for words in Words::languages().filter_map(Words::of) {
             let alone = [
                 Beyond::GrowingForce,
-                Beyond::Impact,
                 Beyond::Mechanism,
-                Beyond::Rubbing,
                 Beyond::Next,
                 Beyond::Phases,
                 Beyond::Slack,

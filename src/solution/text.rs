@@ -59,3 +59,5 @@ impl SolutionSection {
 
 /// Width of a line of a formula that fits on 16 cm of print, in digits.
 pub const LINE: f64 = 74.0;
+/// Width of the widest line that is still printed whole.
+pub const WIDEST: f64 = 86.0;

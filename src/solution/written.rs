@@ -42,13 +42,21 @@ impl Expr {
 
     /// As [`Expr::numbers`], a sum that is wider than `limit` on several lines, the later ones with their sign in front.
     pub fn numbers_in_lines(&self, symbols: &Symbols, limit: f64) -> Vec<String> {
-        let whole = self.numbers(symbols);
+        self.in_lines(symbols, Notation::Numbers, limit)
+    }
+    /// The same of [`Expr::symbols`].
+    pub fn symbols_in_lines(&self, symbols: &Symbols, limit: f64) -> Vec<String> {
+        self.in_lines(symbols, Notation::Symbols, limit)
+    }
+    fn in_lines(&self, symbols: &Symbols, form: Notation, limit: f64) -> Vec<String> {
+        let mut whole = String::new();
+        self.write(symbols, form, Surroundings::Term, &mut whole);
         let Self::Sum(terms) = self else { return vec![whole] };
         if width(&whole) <= limit {
             return vec![whole];
         }
         let mut lines: Vec<String> = Vec::new();
-        for piece in pieces(terms, symbols, Notation::Numbers) {
+        for piece in pieces(terms, symbols, form) {
             match lines.last_mut() {
                 Some(line) if width(line) + width(&piece) <= limit => {
                     line.push(' ');

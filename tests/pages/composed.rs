@@ -175,6 +175,106 @@ fn what_is_carried_or_rests_on_wheels_is_worked() {
     assert!(worked >= 16, "{worked}");
 }
 
+/// An impact by lot: rods, alone, on a pin or hinged to another one, that meet an edge or a ball, which springs back or stays, and
+/// pucks that meet at an angle.
+fn impact(seed: u64) -> String {
+    let mut lot = Lot::new(seed);
+    let mut grid = |from: u32, to: u32| f64::from(from + lot.below((to - from) as usize) as u32) / 10.0;
+    let [m, mass, length, h, v, w, e] =
+        [grid(5, 30), grid(20, 60), grid(8, 15), grid(2, 8), grid(10, 60), grid(0, 30), grid(0, 11)];
+    let [a, t, d] =
+        [[0, 20, 65, 130, 205], [0, 30, 90, 145, 250], [0, 90, 180, 270, 310]].map(|of| lot.of(&of));
+    let spins = if lot.in_100(50) { format!(", spin: {w} rad/s") } else { String::new() };
+    let arrives = format!("arrives: {{speed: {v} m/s, direction: {t} deg}}");
+    let rod = format!(
+        "{{mass: {mass} kg, shape: {{rod: L}}, moves: in the plane, angle: from right, points: {{A: 0 m, P: h, B: L}}"
+    );
+    let place = "[h*cos(a), h*sin(a)]";
+    let stays = lot.in_100(40);
+    let ball = |how: &str| match stays {
+        true => {
+            ("ball: {mass: m, moves: in the plane}".to_owned(), format!("{how}: {{welds: [rod.P, ball]}}"))
+        }
+        false => (
+            format!("ball: {{mass: m, moves: in the plane, placed: {place}}}"),
+            format!("{how}: {{guides: ball, on: rod.A, along: 0 deg, restitution: {e}}}"),
+        ),
+    };
+    let (bodies, joints, start) = match lot.below(5) {
+        0 => {
+            let (ball, hit) = ball("hit");
+            let spin =
+                if lot.in_100(50) { format!(", arrives: {{spin: -{w} rad/s}}") } else { String::new() };
+            let joints = format!("{{O: {{pins: rod.A}}, {hit}}}");
+            (format!("rod: {rod}}}, {ball}"), joints, format!("rod: {{angle: a{spin}}}, ball: {{{arrives}}}"))
+        }
+        1 => {
+            let (ball, hit) = ball("hit");
+            let bodies = format!("rod: {rod}, placed: [0 m, 0 m]}}, {ball}");
+            (bodies, format!("{{{hit}}}"), format!("rod: {{angle: a}}, ball: {{{arrives}}}"))
+        }
+        2 => {
+            let held = match stays {
+                true => "edge: {pins: rod.B, at: [L*cos(a), L*sin(a)]}".to_owned(),
+                false => format!(
+                    "edge: {{guides: rod.B, along: {d} deg, through: [L*cos(a), L*sin(a)], restitution: {e}}}"
+                ),
+            };
+            let moves = arrives.replace('}', &format!("{spins}}}"));
+            let bodies = format!("rod: {rod}, placed: [0 m, 0 m]}}");
+            (bodies, format!("{{{held}}}"), format!("rod: {{angle: a, {moves}}}"))
+        }
+        3 => {
+            let bodies = format!(
+                "rod: {rod}}}, low: {{mass: {m} kg, shape: {{rod: 0.7 m}}, moves: in the plane, angle: from right}}, ball: {{mass: m, moves: in the plane}}"
+            );
+            let joints = "{O: {pins: rod.A}, H: {hinges: [rod.B, low.A]}, K: {welds: [low.B, ball]}, P: {links: rod.P, to: [h*cos(a) + 1 m, h*sin(a)]}}";
+            let joints = if stays {
+                joints.to_owned()
+            } else {
+                joints.split(", P:").next().unwrap_or("").to_owned() + "}"
+            };
+            (bodies, joints, format!("rod: {{angle: a}}, low: {{angle: {d} deg}}, ball: {{{arrives}}}"))
+        }
+        _ => {
+            let puck = |name: &str, mass: f64| {
+                format!("{name}: {{mass: {mass} kg, moves: in a horizontal plane, placed: [0 m, 0 m]}}")
+            };
+            let bodies = format!(
+                "one: {{mass: m, moves: in a horizontal plane, placed: [h - h + L - L, 0 m]}}, {}",
+                puck("two", mass)
+            );
+            let joints = format!("{{hit: {{guides: one, on: two, along: a, restitution: {e}}}}}");
+            (
+                bodies,
+                joints,
+                format!("one: {{{arrives}}}, two: {{arrives: {{speed: {w} m/s, direction: {d} deg}}}}"),
+            )
+        }
+    };
+    format!(
+        "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data:
+      m: {{name: mass, unit: kg, draw: always {m}}}
+      h: {{name: place, unit: m, draw: always {h}}}
+      L: {{name: length, unit: m, draw: always {length}}}
+      a: {{name: angle, unit: deg, draw: always {a}}}
+    scene:
+      bodies: {{{bodies}}}
+      joints: {joints}
+      start: {{{start}}}
+      end: at once
+    questions: {{energy: {{quantity: kinetic_energy, ask: E}}}}\n    statement: x\n"
+    )
+}
+
+/// Impacts of all kinds, of which all velocities, impulses and energies are asked.
+#[test]
+fn every_composed_impact_has_a_true_solution() {
+    let (count, short, wrong) = worked(4 * support::seeds(250).max(50), |seed| Some(impact(seed)));
+    assert!(wrong.is_empty(), "{wrong:#?}");
+    assert!(count > 20 && short == 0, "{short} of {count}");
+}
+
 /// The same of bodies that are joined in the plane: all kinds of joints, forces, springs and ends, some of them carried.
 #[test]
 fn every_composed_mechanism_has_a_true_solution() {

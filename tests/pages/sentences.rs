@@ -715,6 +715,37 @@ fn a_buffer_that_is_not_touched_has_no_moment() {
     }
 }
 
+/// What an impact loses, and what would come out of it without rebound, without loss, with a light and with a heavy body, by hand.
+#[test]
+fn what_an_impact_loses_is_told_as_it_is() {
+    let bank = bank(include_str!("../worked/impacts-and-slots.yaml"));
+    let find = |id: &str| bank.problems.iter().find(|p| p.id == id).expect("it is there");
+    let (hit, bullet) = (find("ball-and-rod"), find("bullet"));
+    let digits = slipstick::num::shown::significant;
+    for student in 0..6 {
+        let drawn = |problem| Maker::new(problem, 1, "hits").variant(&student.to_string());
+        let variant = drawn(hit).unwrap_or_else(|u| panic!("{u}"));
+        let [m, rod, l, v, e] = ["m", "M", "L", "v0", "e"].map(|name| datum(hit, &variant, name));
+        // Angular momentum about the pin, and restitution.
+        let omega = |e: f64| m * v * (1.0 + e) / (l * (rod / 3.0 + m));
+        let ball = omega(e) * l - e * v;
+        let after = rod * (l * omega(e)).powi(2) / 6.0 + 0.5 * m * ball * ball;
+        let lost = digits(100.0 * (1.0 - after / (0.5 * m * v * v)), 2);
+        let other = drawn(bullet).unwrap_or_else(|u| panic!("{u}"));
+        for language in &languages() {
+            let text = solution(hit, &variant, language).replace("{,}", ".");
+            for x in [omega(0.0), omega(1.0)] {
+                let told = format!(r"${}\ \mathrm{{rad}}/\mathrm{{s}}$", digits(x, 4));
+                assert!(text.contains(&told), "{told}: {text}");
+            }
+            assert!(text.contains(&format!(" {lost} % ")), "{lost}: {text}");
+            // A heavy bullet loses what it brings along the rod alone, sin^2 of 30 degrees.
+            let text = solution(bullet, &other, language);
+            assert!(text.contains(" 100 %") && text.contains(" 25 %"), "{text}");
+        }
+    }
+}
+
 /// The friction that rolling needs, and whether there is as much, is told once, whether it rolls or slips.
 #[test]
 fn whether_it_could_roll_is_told_once() {

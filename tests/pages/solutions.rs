@@ -310,6 +310,7 @@ fn scenes_beyond_the_built_in_banks() {
         include_str!("../support/lines.yaml"),
         include_str!("../worked/blows-and-rests.yaml"),
         include_str!("../worked/rods-pulls-and-rims.yaml"),
+        include_str!("../worked/impacts-and-slots.yaml"),
     ];
     let banks = texts.map(|text| load::scenes_only(text, "a bank").unwrap_or_else(|f| panic!("{f:?}")));
     let mut faults = Vec::new();

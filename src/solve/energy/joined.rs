@@ -216,7 +216,28 @@ pub fn balance_after(scene: &Scene, n: &Numbers<f64>, way: f64) -> Option<[f64; 
     Some([force, inertia, bend].map(|x| n.publish(Quantity::Work, x)))
 }
 
+/// What the blows and impacts at the start add to the rate of the leading angle, rad/s.
+#[cfg(feature = "program")]
+pub fn rate_from_blows(scene: &Scene, n: &Numbers<f64>) -> Option<f64> {
+    let account = Account::new(scene, n).ok()?;
+    let poses = account.poses(0.0).ok()?;
+    Some(n.publish(Quantity::Omega, account.gained(&poses)))
+}
+
 impl<T: Real> Account<'_, T> {
+    /// What the blows at the start add to the rate of the leading angle: the momentum that belongs to it gains what they do at its
+    /// unit rate.
+    fn gained(&self, first: &Poses<T>) -> T {
+        if !self.scene.is_struck() {
+            return T::zero();
+        }
+        let unit = self.rates(first);
+        let gained = self.powers(first, &unit, true).into_iter().fold(T::zero(), |sum, p| sum + p);
+        // What strikes straight at a joint moves nothing.
+        let blows = pose::blows(self.scene, self.n);
+        let fastest = unit.iter().flatten().map(|x| x.size()).fold(0.0, f64::max);
+        gained.cleared(blows * fastest) / self.inertia(first)
+    }
     fn road(&mut self, asked: Scope) -> Result<Road<T>, Refusal> {
         let scene = self.scene;
         let mut spin = self.layout.start_rate().ok_or(Refusal::Freedoms(2))?;
@@ -235,15 +256,9 @@ impl<T: Real> Account<'_, T> {
         }
         let first = self.poses(T::zero())?;
         if scene.is_struck() {
-            // The momentum that belongs to the leading angle gains what the blows do at its unit rate.
-            let unit = self.rates(&first);
-            let gained = self.powers(&first, &unit, true).into_iter().fold(T::zero(), |sum, p| sum + p);
-            // What strikes straight at a joint moves nothing.
-            let blows = pose::blows(scene, self.n);
-            let fastest = unit.iter().flatten().map(|x| x.size()).fold(0.0, f64::max);
-            let gained = gained.cleared(blows * fastest) / self.inertia(&first);
+            let gained = self.gained(&first);
             spin = spin.balance(gained);
-            let jump = unit.iter().map(|r| r.map(|x| x * gained)).collect();
+            let jump = self.rates(&first).iter().map(|r| r.map(|x| x * gained)).collect();
             self.tell_blow(&first, &jump, &mut road);
         }
         let free = self.balance(&first, &self.rates(&first))?;
