@@ -300,8 +300,8 @@ pub struct Layout<'a, T: Real> {
     turns: f64,
 }
 
-/// Bodies and how each is placed.
-type Steps<T> = SmallVec<[(usize, Step<T>); 3]>;
+/// Bodies and how each is placed: apart, for a step is large, and they are handed about at each place.
+type Steps<T> = Vec<(usize, Step<T>)>;
 
 /// A place that is known: fixed, or that of a point of a body that is placed before.
 #[derive(Debug, Clone, Copy)]
@@ -1018,7 +1018,7 @@ impl<'a, T: Real> Layout<'a, T> {
     /// The fourth corner of a parallelogram: beside where a body is hinged that is itself held, and a second place.
     fn parallelogram(
         &self,
-        steps: &Steps<T>,
+        steps: &[(usize, Step<T>)],
         poses: &Poses<T>,
         moves: &Held<T>,
         rests: &Held<T>,
@@ -1038,11 +1038,11 @@ impl<'a, T: Real> Layout<'a, T> {
     }
 
     /// The order in which joints place all bodies; `None` if they do not.
-    fn plan(&self, at_start: bool) -> Option<Cow<'_, Steps<T>>> {
+    fn plan(&self, at_start: bool) -> Option<Cow<'_, [(usize, Step<T>)]>> {
         if at_start {
             self.planned(true).ok().map(Cow::Owned)
         } else {
-            self.steps.as_ref().map(Cow::Borrowed)
+            self.steps.as_deref().map(Cow::Borrowed)
         }
     }
     /// The order in which joints place all bodies; or else the first that they do not.
