@@ -300,8 +300,10 @@ pub struct Layout<'a, T: Real> {
     turns: f64,
 }
 
-/// Bodies and how each is placed: apart, for a step is large, and they are handed about at each place.
-type Steps<T> = Vec<(usize, Step<T>)>;
+/// A body and how it is placed.
+type BodyStep<T> = (usize, Step<T>);
+/// The same of all bodies: apart, for a step is large, and they are handed about at each place.
+type Steps<T> = Vec<BodyStep<T>>;
 
 /// A place that is known: fixed, or that of a point of a body that is placed before.
 #[derive(Debug, Clone, Copy)]
@@ -1018,7 +1020,7 @@ impl<'a, T: Real> Layout<'a, T> {
     /// The fourth corner of a parallelogram: beside where a body is hinged that is itself held, and a second place.
     fn parallelogram(
         &self,
-        steps: &[(usize, Step<T>)],
+        steps: &[BodyStep<T>],
         poses: &Poses<T>,
         moves: &Held<T>,
         rests: &Held<T>,
@@ -1038,7 +1040,7 @@ impl<'a, T: Real> Layout<'a, T> {
     }
 
     /// The order in which joints place all bodies; `None` if they do not.
-    fn plan(&self, at_start: bool) -> Option<Cow<'_, [(usize, Step<T>)]>> {
+    fn plan(&self, at_start: bool) -> Option<Cow<'_, [BodyStep<T>]>> {
         if at_start {
             self.planned(true).ok().map(Cow::Owned)
         } else {

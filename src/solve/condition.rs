@@ -39,6 +39,9 @@ struct Changed<T: Real> {
     road: Option<Told<T>>,
 }
 
+/// Condition numbers, and for each whether it is not told so.
+type Conditions = (Vec<f64>, Vec<bool>);
+
 /// The roads with several sets of data.
 type Roads<'r, T> = &'r dyn Fn(&[Set], Scope) -> Vec<Option<Told<T>>>;
 
@@ -51,14 +54,12 @@ pub fn numbers(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> Ve
         sets.iter().map(|data| eom::road_of(scene, data, asked).ok().map(Told::Alone)).collect()
     };
     let of = (scene, data, kind);
-    let tries: [&dyn Fn(&[Entry]) -> (Vec<f64>, Vec<bool>); 3] = [
-        &|entries| quotients::<f64>(of, entries, &doubles, &STEPS),
-        &|entries| quotients::<f64>(of, entries, &doubles, &WIDE),
-        &|entries| quotients::<Dd>(of, entries, &digits, &STEPS),
-    ];
-    for told in tries {
+    for (steps, in_doubles) in [(&STEPS[..], true), (&WIDE, true), (&STEPS, false)] {
         let entries: Vec<Entry> = left.iter().map(|at| entries[*at]).collect();
-        let (found, rounded) = told(&entries);
+        let (found, rounded) = match in_doubles {
+            true => quotients::<f64>(of, &entries, &doubles, steps),
+            false => quotients::<Dd>(of, &entries, &digits, steps),
+        };
         left.iter().zip(found).for_each(|(at, found)| conds[*at] = found);
         left = left.into_iter().zip(rounded).filter_map(|(at, rounded)| rounded.then_some(at)).collect();
         if left.is_empty() {
@@ -76,7 +77,7 @@ fn quotients<T: Real>(
     entries: &[Entry],
     roads: Roads<T>,
     steps: &[i32],
-) -> (Vec<f64>, Vec<bool>) {
+) -> Conditions {
     let mut found = (vec![None; entries.len()], vec![false; entries.len()]);
     let (scene, data, _) = of;
     let all = used(scene, data);
