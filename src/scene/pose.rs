@@ -300,8 +300,10 @@ pub struct Layout<'a, T: Real> {
     turns: f64,
 }
 
-/// Bodies and how each is placed.
-type Steps<T> = SmallVec<[(usize, Step<T>); 3]>;
+/// A body and how it is placed.
+type BodyStep<T> = (usize, Step<T>);
+/// The same of all bodies: apart, for a step is large, and they are handed about at each place.
+type Steps<T> = Vec<BodyStep<T>>;
 
 /// A place that is known: fixed, or that of a point of a body that is placed before.
 #[derive(Debug, Clone, Copy)]
@@ -1015,7 +1017,7 @@ impl<'a, T: Real> Layout<'a, T> {
     /// The fourth corner of a parallelogram: beside where a body is hinged that is itself held, and a second place.
     fn parallelogram(
         &self,
-        steps: &Steps<T>,
+        steps: &[BodyStep<T>],
         poses: &Poses<T>,
         moves: &Held<T>,
         rests: &Held<T>,
@@ -1035,11 +1037,11 @@ impl<'a, T: Real> Layout<'a, T> {
     }
 
     /// The order in which joints place all bodies; `None` if they do not.
-    fn plan(&self, at_start: bool) -> Option<Cow<'_, Steps<T>>> {
+    fn plan(&self, at_start: bool) -> Option<Cow<'_, [BodyStep<T>]>> {
         if at_start {
             self.planned(true).ok().map(Cow::Owned)
         } else {
-            self.steps.as_ref().map(Cow::Borrowed)
+            self.steps.as_deref().map(Cow::Borrowed)
         }
     }
     /// The order in which joints place all bodies; or else the first that they do not.

@@ -1,5 +1,6 @@
 //! How far an answer moves with the data: its condition number `sum |d ln y / d ln x_i|` over the data that the scene uses, by
-//! difference quotients of the first road, in doubles, or in 32 digits where the rounding of doubles would tell.
+//! difference quotients of the first road, in doubles. Where their rounding would tell, the data are changed farther to both sides, and
+//! if that does not do, it is reckoned in 32 digits.
 //!
 //! A quotient needs a motion of the same kind at the changed data: where a changed datum turns the motion or takes its end out of
 //! reach, the other side alone counts. The step is so small that what curvature does is below a millionth, of the order of
@@ -15,6 +16,8 @@ use crate::solve::outcome::{Entry, Kind, Scope, Set, Told};
 
 /// Relative changes of a datum, as powers of 2; the next one for the answers that are too sensitive for the one before.
 const STEPS: [i32; 4] = [-26, -29, -36, -46];
+/// The same where the rounding of doubles would tell.
+const WIDE: [i32; 1] = [-18];
 /// Up to this relative change of an answer its change to one side tells its slope, up to the second its changes to both sides.
 const FINE: [f64; 2] = [6e-7, 2e-4];
 
@@ -36,44 +39,53 @@ struct Changed<T: Real> {
     road: Option<Told<T>>,
 }
 
+/// Condition numbers, and for each whether it is not told so.
+type Conditions = (Vec<f64>, Vec<bool>);
+
 /// The roads with several sets of data.
 type Roads<'r, T> = &'r dyn Fn(&[Set], Scope) -> Vec<Option<Told<T>>>;
 
-/// Condition number of each entry, in 32 digits where the rounding of doubles may tell: 0 if no datum moves it, infinite for a zero that
-/// some datum moves, or where no changed data have a solution.
+/// Condition number of each entry: 0 if no datum moves it, infinite for a zero that some datum moves, or where no changed data have a
+/// solution.
 pub fn numbers(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> Vec<f64> {
-    let follow = scene.lead().is_some();
+    let (mut conds, mut left) = (vec![f64::INFINITY; entries.len()], (0..entries.len()).collect::<Vec<_>>());
     let doubles = |sets: &[Set], asked| eom::roads(scene, sets, asked);
-    let (mut conds, rounded) = quotients::<f64>(scene, data, kind, entries, &doubles, follow);
-    if rounded.contains(&true) {
-        let each = |sets: &[Set], asked| {
-            sets.iter().map(|data| eom::road_of(scene, data, asked).ok().map(Told::Alone)).collect()
+    let digits = |sets: &[Set], asked| {
+        sets.iter().map(|data| eom::road_of(scene, data, asked).ok().map(Told::Alone)).collect()
+    };
+    let of = (scene, data, kind);
+    for (steps, in_doubles) in [(&STEPS[..], true), (&WIDE, true), (&STEPS, false)] {
+        let entries: Vec<Entry> = left.iter().map(|at| entries[*at]).collect();
+        let (found, rounded) = match in_doubles {
+            true => quotients::<f64>(of, &entries, &doubles, steps),
+            false => quotients::<Dd>(of, &entries, &digits, steps),
         };
-        let (finer, _) = quotients::<Dd>(scene, data, kind, entries, &each, follow);
-        for ((cond, finer), _) in conds.iter_mut().zip(finer).zip(rounded).filter(|(_, rounded)| *rounded) {
-            *cond = finer;
+        left.iter().zip(found).for_each(|(at, found)| conds[*at] = found);
+        left = left.into_iter().zip(rounded).filter_map(|(at, rounded)| rounded.then_some(at)).collect();
+        if left.is_empty() {
+            break;
         }
     }
     conds
 }
 
-/// Condition numbers by difference quotients in numbers of this type, and for each whether their rounding may tell. If data may
-/// `follow` others, those are not changed, save for what is told so beside a kink: that needs the slope of each datum.
+/// Condition numbers by difference quotients of these steps in numbers of this type, and for each whether it is not told so: their
+/// rounding may tell, or the only step is too wide. Data that follow others are not changed, save for what is told so beside a kink: that
+/// needs the slope of each datum.
 fn quotients<T: Real>(
-    scene: &Scene,
-    data: &[f64],
-    kind: Kind,
+    of: (&Scene, &[f64], Kind),
     entries: &[Entry],
     roads: Roads<T>,
-    follow: bool,
-) -> (Vec<f64>, Vec<bool>) {
+    steps: &[i32],
+) -> Conditions {
     let mut found = (vec![None; entries.len()], vec![false; entries.len()]);
+    let (scene, data, _) = of;
     let all = used(scene, data);
     let mut changed = all.clone();
-    let followers = if follow { followers(scene, &mut changed) } else { Vec::new() };
+    let followers = if scene.lead().is_some() { followers(scene, &mut changed) } else { Vec::new() };
     let plans = [(changed, followers), (all, Vec::new())];
     for (used, followers) in &plans {
-        search((scene, data, kind), entries, roads, (used, followers), &mut found);
+        search(of, entries, (roads, steps), (used, followers), &mut found);
         if found.0.iter().all(Option::is_some) {
             break;
         }
@@ -91,7 +103,7 @@ fn quotients<T: Real>(
 fn search<T: Real>(
     (scene, data, kind): (&Scene, &[f64], Kind),
     entries: &[Entry],
-    roads: Roads<T>,
+    (roads, steps): (Roads<T>, &[i32]),
     (used, followers): (&[usize], &[Vec<f64>]),
     (conds, rounded): &mut (Vec<Option<f64>>, Vec<bool>),
 ) {
@@ -117,7 +129,8 @@ fn search<T: Real>(
     };
     let mut base = None;
     let mut slopes: Vec<EntrySlope> = Vec::with_capacity(used.len());
-    'found: for power in STEPS {
+    let only = steps.len() == 1;
+    'found: for power in steps.iter().copied() {
         let step = pow2(power);
         let mut up = changed(step, conds, base.is_none());
         let base = base.get_or_insert_with(|| up.remove(0));
@@ -125,7 +138,9 @@ fn search<T: Real>(
         for (both, fine) in [false, true].into_iter().zip(FINE) {
             if both {
                 down = changed(-step, conds, false);
-            } else if !up.iter().all(|c| c.alike) {
+            }
+            let alike = up.iter().chain(&down).all(|c| c.alike);
+            if !both && !alike {
                 continue;
             }
             for (at, (cond, entry)) in
@@ -146,7 +161,7 @@ fn search<T: Real>(
                     sum += followed(scene, entry, followers, &slopes);
                 }
                 let found = relative(entry, sum);
-                let last = both && (found.is_infinite() || power == STEPS[STEPS.len() - 1]);
+                let last = both && (found.is_infinite() || steps.last() == Some(&power));
                 if found * step <= fine || last {
                     // A kink beside the data is left behind by a smaller step; one at the data is not.
                     if uneven {
@@ -154,10 +169,12 @@ fn search<T: Real>(
                         // Seen from the widest step, where rounding tells least, unless the last one sees something else.
                         let same = (found - kink).abs() <= UNEVEN * found;
                         *cond = last.then_some(if same { kink } else { found });
+                        rounded[at] = only;
                         continue;
                     }
                     *cond = Some(found);
-                    rounded[at] = T::is_double() && misses(entry, at_data, step * found.max(1.0));
+                    let wide = only && !(alike && found * step <= fine);
+                    rounded[at] = T::is_double() && (wide || misses(entry, at_data, step * found.max(1.0)));
                 }
             }
             if conds.iter().all(Option::is_some) {

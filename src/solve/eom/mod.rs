@@ -65,12 +65,13 @@ pub fn roads(scene: &Scene, sets: &[Set], asked: Scope) -> Vec<Option<Told>> {
     sets.iter().map(alone).collect()
 }
 
-/// So many sets of data are walked together at less cost than one by one, if any are.
+/// So many sets of data are walked together at less cost than one by one, if any are: of joined bodies that costs as much as some four
+/// of them alone.
 #[cfg(feature = "program")]
 fn least_together(scene: &Scene) -> Option<usize> {
     let placed = scene.lead().is_some();
     let joined = is_given(scene) && placed && !scene.is_still();
-    if side_by_side(scene) { Some(2) } else { joined.then_some(4) }
+    if side_by_side(scene) { Some(2) } else { joined.then_some(5) }
 }
 
 /// The same of so many sets as go side by side.

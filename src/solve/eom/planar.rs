@@ -414,7 +414,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
         if let Some((joint, off_m)) = self.layout.parted(poses, at_start) {
             return Err(Refusal::Parted { joint, off_m, at_start });
         }
-        match self.layout.tilted(poses).filter(|_| at_start) {
+        match at_start.then(|| self.layout.tilted(poses)).flatten() {
             Some((body, [given_deg, follows_deg])) => Err(Refusal::Tilted { body, given_deg, follows_deg }),
             None => Ok(()),
         }

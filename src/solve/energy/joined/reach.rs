@@ -142,6 +142,8 @@ impl<T: Real> Account<'_, T> {
     pub fn reached(&self, far: T, from: (&Poses<T>, T)) -> Result<Option<T>, Refusal> {
         // What is met beyond the turning point is not met.
         let before_rest = |found: Option<T>| match found {
+            // An enclosure is of a motion that both roads have followed, save where it is searched for.
+            Some(way) if T::ENCLOSES && self.scene.formulas.found.is_none() => Ok(Some(way)),
             Some(way) => {
                 let rest = self.turning(way, from)?;
                 Ok::<_, Refusal>(rest.is_none_or(|rest| rest.side(way) == 0.0).then_some(way))
