@@ -251,10 +251,14 @@ impl SceneReader<'_> {
         {
             let [asked, leads] =
                 [scene.ending_coordinate().body, lead].map(|body| scene.bodies[body].name.as_str());
+            let other = match scene.bodies[scene.ending_coordinate().body].turns {
+                true => told!(", or give the angle at the start of `{asked}` in its place"),
+                false => String::new(),
+            };
             f.hint(
                 end_node.unwrap_or(node),
                 told!("the motion is followed by the angle of `{leads}`, not by that of `{asked}`"),
-                told!("end it at `of: {leads}`, or give the angle at the start of `{asked}` in its place"),
+                told!("end it at `of: {leads}`{other}"),
             );
         }
         if let Some(n) = next_node {
