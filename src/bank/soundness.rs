@@ -269,8 +269,9 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
     let arrives = scene.arrivals().next().is_some();
     let recoils = scene.restitution.map(|(joint, _)| scene.joints[joint].name.as_str());
     let turning = named(|b| b.turns).unwrap_or("rod");
-    let angled =
-        named(|b| b.inertia.is_none() && b.planar.as_ref().is_some_and(|planar| planar.start_deg.is_some()));
+    // On a cylinder the angle is that of its place.
+    let angled = named(|b| b.inertia.is_none() && matches!(&b.planar, Some(p) if p.start_deg.is_some()));
+    let angled = angled.filter(|_| scene.lead().is_none());
     let straight = scene.restitution.is_some_and(|(joint, _)| {
         matches!(scene.joints[joint].kind, JointKind::Guide { .. } | JointKind::Contact { rolls: false, .. })
     });

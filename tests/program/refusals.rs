@@ -1109,7 +1109,7 @@ end: at once";
             FOUR_BAR
                 .replace("  B: {hinges: [coupler.B, rocker.B]}", "  B: {hinges: [coupler.B, crank.A]}")
                 .replace("coupler", "one"),
-            "the joints do not place `one` on the way: a body is placed that leads, is welded, or is pinned or hinged to what has a place and either guided at another point, by a cord or a light rod too, or by a slot of it, or hinged there to a second such body; one that does not turn moves in a bed and by a slot, by a wheel that rolls on it, or by a cord that comes from another body over a pulley, and is then `placed:` at the start; a wheel that an arm carries about the axis of a cylinder `meshes` with it",
+            "the joints do not place `one` on the way: bodies are placed one after the other, from the one whose angle is told, and one that turns is welded to what has a place, or pinned or hinged to it and besides guided at another point or by a slot of its own, tied by a cord or a light rod, or hinged to a second such body",
         ),
     ];
     let slotted = |start: &str, end: &str| {
@@ -1424,7 +1424,6 @@ fn a_sheet_says_where_a_sign_and_whole_turns_count() {
         (&at_once, "{value: disc.alpha*x, ask: a, unit: m/s^2}", "in\u{a0}m/s², signed\n"),
         (&at_once, "{value: disc.alpha^2, ask: a, unit: rad^2/s^4}", "in\u{a0}rad²/s^4\n"),
         (&time, "{value: disc.omega*x, ask: v, unit: m/s}", "in\u{a0}m/s\n"),
-        (&time, "{quantity: disc.work_couple, ask: W, unit: J}", "positive if it adds energy to the bodies\n"),
         (
             &time,
             "{quantity: disc.power_couple, ask: P, unit: W}",
