@@ -2,8 +2,7 @@
 use crate::bank::any::AnyNumber;
 use crate::bank::measure;
 use crate::bank::need::Need;
-use crate::bank::node::{Faults, Fields, Node, Value, WHOLE, items, known_as, named, shorten, some_named};
-use crate::finding::told;
+use crate::bank::node::{Faults, Fields, Node, Value, items, known_as, named, shorten, some_named};
 use crate::scene::{
     AsIf, Body, Carrier, Coordinate, Couple, Degree, Derived, End, Formulas, GivenForce, Growth, Line, Mass,
     Num, Part, Particle, Place, Planar, Push, Ray, RotaryInertia, Scene, Shape, Slope, Span, Start, Strut,
@@ -207,16 +206,15 @@ impl SceneReader<'_> {
         let stays = end_node.is_some_and(|n| n.field("stops slipping").is_some());
         let next_node = fields.get("next");
         let (end, heading) = end?;
-        if WHOLE
-            && let [body] = &bodies[..]
+        if let [body] = &bodies[..]
             && body.is_pinned()
             && !self.angled.get()
             && !matches!(end, End::AtOnce)
         {
             f.hint(
                 start_node.unwrap_or(node),
-                told!("the angle at which `{}` starts is missing", body.name),
-                told!("write `start: {{{}: {{angle: phi0}}}}`", body.name),
+                format!("the angle at which `{}` starts is missing", body.name),
+                format!("write `start: {{{}: {{angle: phi0}}}}`", body.name),
             );
         }
         if let [Body { planar: Some(planar), .. }] = &mut bodies[..]
@@ -244,21 +242,20 @@ impl SceneReader<'_> {
         };
         scene.still_turns();
         scene.round_from_start();
-        if WHOLE
-            && let Some(lead) = scene.lead()
+        if let Some(lead) = scene.lead()
             && !matches!(scene.end, End::Time(..))
             && scene.ending_coordinate().body != lead
         {
             let [asked, leads] =
                 [scene.ending_coordinate().body, lead].map(|body| scene.bodies[body].name.as_str());
             let other = match scene.bodies[scene.ending_coordinate().body].turns {
-                true => told!(", or give the angle at the start of `{asked}` in its place"),
+                true => format!(", or give the angle at the start of `{asked}` in its place"),
                 false => String::new(),
             };
             f.hint(
                 end_node.unwrap_or(node),
-                told!("the motion is followed by the angle of `{leads}`, not by that of `{asked}`"),
-                told!("end it at `of: {leads}`{other}"),
+                format!("the motion is followed by the angle of `{leads}`, not by that of `{asked}`"),
+                format!("end it at `of: {leads}`{other}"),
             );
         }
         if let Some(n) = next_node {
@@ -274,7 +271,7 @@ impl SceneReader<'_> {
             Some(Tie::Roll { mu_s: Some(mu_s), .. }) => Some((*mu_k, *mu_s)),
             _ => None,
         };
-        self.met.borrow().touches.iter().filter(|_| WHOLE).filter_map(rolls).collect()
+        self.met.borrow().touches.iter().filter_map(rolls).collect()
     }
 
     /// Mass or weight of a body or of a part, if one of them is given.
@@ -324,14 +321,14 @@ impl SceneReader<'_> {
                 let (key, value) = &entries[0];
                 Some((key.text().unwrap_or(""), key, value))
             }
-            _ => self.faults.refuse(node, told!("expected {what}, found {}", node.kind())),
+            _ => self.faults.refuse(node, format!("expected {what}, found {}", node.kind())),
         }
     }
 
     fn unknown(&self, key: &Node, what: &str, known: &[&str]) {
         let text = key.text().unwrap_or("");
         let hint = spell::hint(text, "known", known.iter().copied());
-        self.faults.hint(key, told!("`{}` is no {what}", shorten(text)), hint);
+        self.faults.hint(key, format!("`{}` is no {what}", shorten(text)), hint);
     }
 
     fn surfaces<'n>(&self, node: &'n Node) -> Vec<NamedSurface<'n>> {
@@ -362,7 +359,7 @@ impl SceneReader<'_> {
         let mut fields = Fields::open(node, "what carries the scene (along, speed, acceleration)", f)?;
         let along = fields.need("along", "horizontal");
         let [speed, acceleration] = fields.each(["speed", "acceleration"]);
-        if WHOLE && speed.is_none() && acceleration.is_none() {
+        if speed.is_none() && acceleration.is_none() {
             f.hint(node, "neither a speed nor an acceleration is given", "write `acceleration: a`");
         }
         let mut words: Vec<(&str, Slope)> = surfaces.iter().map(|s| (s.name, s.slope)).collect();
@@ -382,10 +379,10 @@ impl SceneReader<'_> {
         for (name, key, value) in
             some_named(node, "bodies by name", "a scene has at least one body", self.faults)
         {
-            if WHOLE && !plain_name(name) {
+            if !plain_name(name) {
                 self.faults.hint(
                     key,
-                    told!("`{}` is no name for a body", shorten(name)),
+                    format!("`{}` is no name for a body", shorten(name)),
                     "letters, digits and `_`, beginning with a letter",
                 );
             }
@@ -400,7 +397,7 @@ impl SceneReader<'_> {
         for surface in surfaces.iter().filter(|s| !self.lost.get() && !used(s)) {
             self.faults.hint(
                 node,
-                told!("nothing moves along the surface `{}`", surface.name),
+                format!("nothing moves along the surface `{}`", surface.name),
                 "remove the surface, or write `moves: along ...`",
             );
         }
@@ -416,11 +413,10 @@ impl SceneReader<'_> {
             body.particles = self.particles(particles);
             return body;
         }
-        #[cfg(feature = "program")]
         for (about, _) in crate::bank::synonyms::ABOUT_PIN {
             if let Some(n) = node.field(about).and_then(|_| fields.get(about)) {
                 let hint = "make data of this, of the distance from the pin to the mass centre, and of the mass, or give all as constants; it is no smaller than that of the mass at its mass centre";
-                f.hint(n, told!("`{about}` cannot be put about the mass centre"), hint);
+                f.hint(n, format!("`{about}` cannot be put about the mass centre"), hint);
             }
         }
         let [mass, weight] = fields.each(["mass", "weight"]);
@@ -439,7 +435,7 @@ impl SceneReader<'_> {
         if given > 1 {
             f.hint(
                 node,
-                told!("`{name}` has its inertia given {given} times"),
+                format!("`{name}` has its inertia given {given} times"),
                 "keep one of `shape`, `radius of gyration`, `moment of inertia`, `parts`",
             );
         }
@@ -451,14 +447,12 @@ impl SceneReader<'_> {
             fields.need("moves", "along incline");
         }
         body.mass = self.mass(node, mass, weight);
-        if WHOLE {
-            excluded(name, node, f);
-        }
+        excluded(name, node, f);
         if let Some(swings) = swings {
             if given == 0 {
                 f.hint(
                     node,
-                    told!("`{name}` has no inertia, so it cannot swing"),
+                    format!("`{name}` has no inertia, so it cannot swing"),
                     "give it a `shape`, a `radius of gyration` or a `moment of inertia`",
                 );
             }
@@ -539,15 +533,13 @@ impl SceneReader<'_> {
         let mut radii = Vec::new();
         for (radius, key, value) in named(node, "radii by name", self.faults) {
             if !plain_name(radius) {
-                let message = told!("`{}` is no name for a radius", shorten(radius));
+                let message = format!("`{}` is no name for a radius", shorten(radius));
                 self.faults.hint(key, message, "a name such as `rim`");
             }
             // The use is recorded when a tie acts at this radius.
             let before = self.met.borrow().uses.len();
             if let Some(num) = self.number(value, Need::RADIUS) {
-                if WHOLE {
-                    self.met.borrow_mut().uses.truncate(before);
-                }
+                self.met.borrow_mut().uses.truncate(before);
                 radii.push((radius.to_owned(), num));
             }
         }
@@ -562,7 +554,7 @@ impl SceneReader<'_> {
             Some(n) => self.word(n, "from where the angle counts", &zeros),
             None => f.refuse_with(
                 node,
-                told!("`angle` of `{}` is missing", body.name),
+                format!("`angle` of `{}` is missing", body.name),
                 "write `angle: from upright` (mass centre above the pin) or `angle: from hanging`",
             ),
         };
@@ -582,7 +574,7 @@ impl SceneReader<'_> {
                 (Some(()), Some(RotaryInertia::Shape(Shape::Rod, length))) => Some(Place::HalfOf(*length)),
                 (Some(()), Some(_)) => f.refuse_with(
                     node,
-                    told!("`{}` is no rod, so it has no end", body.name),
+                    format!("`{}` is no rod, so it has no end", body.name),
                     "write `pinned: {distance: h}` with the distance from the pin to the mass centre",
                 ),
                 _ => None,
@@ -612,20 +604,20 @@ impl SceneReader<'_> {
                 Some(s) => (s.slope, true),
                 None => {
                     let hint = if surfaces.is_empty() {
-                        told!(
+                        format!(
                             "name it under `surfaces`, for example `surfaces: {{incline: {{slope: theta}}}}`"
                         )
                     } else {
                         spell::hint(on, "surfaces", surfaces.iter().map(|s| s.name))
                     };
-                    self.faults.hint(moves, told!("`{}` is no surface of this scene", shorten(on)), hint);
+                    self.faults.hint(moves, format!("`{}` is no surface of this scene", shorten(on)), hint);
                     return Err(());
                 }
             }
         } else {
             self.faults.hint(
                 moves,
-                told!("expected how the body moves, found {}", moves.kind()),
+                format!("expected how the body moves, found {}", moves.kind()),
                 "`along SURFACE`, `vertically`, `about a fixed axle` or `in the plane`",
             );
             return Err(());
@@ -744,7 +736,7 @@ impl SceneReader<'_> {
             if let Some(b) = body
                 && !bodies[b].turns
             {
-                f.at(value, told!("`{}` has no inertia, so a couple cannot turn it", bodies[b].name));
+                f.at(value, format!("`{}` has no inertia, so a couple cannot turn it", bodies[b].name));
                 continue;
             }
             if let (Some(body), Some(moment_n_m), Some(forward)) = (body, moment, forward) {
@@ -767,12 +759,12 @@ impl SceneReader<'_> {
         if !bodies[body?].is_pinned() {
             return f.refuse_with(
                 node,
-                told!("`{name}` is not pinned"),
+                format!("`{name}` is not pinned"),
                 "a spring on a cord is written `cord: {from: ..., spring: {...}}` under `ties`",
             );
         }
         if count > 0 {
-            f.hint(node, told!("`{name}` has a spring already"), "a scene has at most one spring");
+            f.hint(node, format!("`{name}` has a spring already"), "a scene has at most one spring");
         }
         bodies[body?].spring(body?, at?, anchor?, (stiffness?, rest?))
     }
@@ -816,14 +808,14 @@ impl SceneReader<'_> {
                 }
                 if let Some(n) = speed {
                     if bodies[body].line.is_none() && (!angled || bodies[body].is_pinned()) {
-                        f.hint(n, told!("`{name}` does not move along a line"), "write `spin:`");
+                        f.hint(n, format!("`{name}` does not move along a line"), "write `spin:`");
                     } else if let Some(v) = self.at_start(n, Need::VELOCITY) {
                         list.push(Start::Speed(Coordinate { body, degree: Degree::Along }, v));
                     }
                 }
                 if let Some(n) = spin {
                     if !bodies[body].turns {
-                        f.hint(n, told!("`{name}` does not turn"), "write `speed:`");
+                        f.hint(n, format!("`{name}` does not turn"), "write `speed:`");
                     } else if let Some(w) = self.at_start(n, Need::SPIN) {
                         list.push(Start::Speed(Coordinate { body, degree: Degree::Turn }, w));
                     }
