@@ -66,6 +66,11 @@ pub fn reason(scene: &Scene, quantity: Quantity) -> String {
     if scene.carried.is_some() && matches!(quantity, Q::Distance | Q::Rise | Q::WorkPull) {
         return "where a belt, a truck or a lift carries the scene it is not told".to_owned();
     }
+    let aslant = |tie: &Tie| matches!(tie, Tie::Cord(cord) if cord.from.tilt_deg.is_some());
+    if quantity == Quantity::CordTravel && scene.ties.iter().any(aslant) {
+        return "it is told of a cord that is pulled along the line of its body, not at an angle to it"
+            .to_owned();
+    }
     if !scene.is_still() || OF_PARTICLES_AND_PINS.contains(&quantity) {
         return why(quantity).to_owned();
     }
@@ -291,7 +296,7 @@ fn joined(scene: &Scene, all: &mut Gathered) {
         }
     }
     all.add(moves, Owner::Scene, &[Q::T]);
-    all.add(forces && !still && scene.only_pin().is_some(), Owner::Scene, &[Q::IO, Q::IG, Q::XG, Q::YG]);
+    all.add(forces && scene.only_pin().is_some(), Owner::Scene, &[Q::IO, Q::IG, Q::XG, Q::YG]);
     if let Some(lead) = scene.lead() {
         all.add(moves, Owner::Body(lead), &[Q::Phi]);
         all.add(scene.ends_at_an_angle().is_some(), Owner::Body(lead), &[Q::Angle]);

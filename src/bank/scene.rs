@@ -248,10 +248,14 @@ impl SceneReader<'_> {
         {
             let [asked, leads] =
                 [scene.ending_coordinate().body, lead].map(|body| scene.bodies[body].name.as_str());
+            let other = match scene.bodies[scene.ending_coordinate().body].turns {
+                true => format!(", or give the angle at the start of `{asked}` in its place"),
+                false => String::new(),
+            };
             f.hint(
                 end_node.unwrap_or(node),
                 format!("the motion is followed by the angle of `{leads}`, not by that of `{asked}`"),
-                format!("end it at `of: {leads}`, or give the angle at the start of `{asked}` in its place"),
+                format!("end it at `of: {leads}`{other}"),
             );
         }
         if let Some(n) = next_node {

@@ -270,6 +270,9 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
     let arrives = scene.arrivals().next().is_some();
     let recoils = scene.restitution.map(|(joint, _)| scene.joints[joint].name.as_str());
     let turning = named(|b| b.turns).unwrap_or("rod");
+    // On a cylinder the angle is that of its place.
+    let angled = named(|b| b.inertia.is_none() && matches!(&b.planar, Some(p) if p.start_deg.is_some()));
+    let angled = angled.filter(|_| scene.lead().is_none());
     let straight = scene.restitution.is_some_and(|(joint, _)| {
         matches!(scene.joints[joint].kind, JointKind::Guide { .. } | JointKind::Contact { rolls: false, .. })
     });
@@ -282,7 +285,7 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
     };
     let loose = scene.joints.iter().find(loose).map(|j| j.name.as_str());
     #[rustfmt::skip] // a table
-    let rules: [SceneRule; 16] = [
+    let rules: [SceneRule; 17] = [
         (named(|b| b.planar.is_none()), "", "`{}` does not move in the plane, and another body does",
             "write `moves: in the plane` for all of them, with joints"),
         (is(!scene.ties.is_empty()), "ties", "what moves in the plane is held by joints", "write `joints`"),
@@ -291,7 +294,7 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
         (is(!scene.growths.is_empty()), "forces", "what moves in the plane has no forces that grow",
             "remove `growing by`, or let the bodies move on lines"),
         (is(speeds > 1), "start", "more than one speed is given at the start of joined bodies",
-            "give one speed or spin: the joints give the others"),
+            "give one speed or spin, from which the joints must give all others: what slips or turns freely beside it is not solved"),
         (is(arrives && (speeds > 0 || scene.carried.is_some())), "start", "a motion just before an impact stands beside another one",
             "give `arrives` alone: the joints take hold in the impact, and what moves after it follows"),
         (recoils.filter(|_| !arrives || scene.end != End::AtOnce), "joints", "`{}` has a restitution, and acts in an impact alone",
@@ -310,7 +313,9 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
             "give the angle alone: from it the equilibrium is looked for, and nothing moves there"),
         (is(still && struck), "forces", "at rest in equilibrium nothing is struck", "take the impulse, or `arrives`, away"),
         (rough.filter(|_| still), "joints", "`{}` is rough, so that there is no one equilibrium", "remove `mu_k`"),
-        (Some(turning).filter(|_| scene.lead().is_none()), "start", "the angle at which the motion starts is missing",
+        (angled, "start", "`{}` has an angle, and a mass alone: it only slides, and does not turn",
+            "give it a `shape:`, or a `moment of inertia:`, which is 0 kg*m^2 of a small body on a light rod"),
+        (Some(turning).filter(|_| scene.lead().is_none() && angled.is_none()), "start", "the angle at which the motion starts is missing",
             "write `start: {{}: {angle: phi0}}`"),
     ];
     tell(&rules, node, faults);

@@ -218,20 +218,24 @@ impl PlaneLayout {
 
     /// The corners of a body that does not turn, below the line that it carries: under all that moves there.
     fn top(&self, view: &SceneView, laid: &[Laid], body: usize) -> Option<[Vec2; 4]> {
-        let carries = |j: &&Joint| j.kind.carrier().is_some_and(|on| on.body == body);
-        let all = view.scene.joints.iter().filter(carries);
+        // What is struck is no wedge.
+        let carries = |(j, joint): &(usize, &Joint)| {
+            joint.kind.carrier().is_some_and(|on| on.body == body) && !recoils(view, *j)
+        };
+        let all = view.scene.joints.iter().enumerate().filter(carries).map(|(_, joint)| joint);
         let (line, on) = all.clone().find_map(|j| Some((j.kind.line()?, j.kind.carrier()?)))?;
         let (direction, through) = (self.direction(view, laid, line), self.spot(view, laid, on));
         let slotted = is_slotted(view, body);
         // A slot is as long as the way of the point in it.
         let places = std::iter::once(&self.start).chain(&self.end).map(Vec::as_slice);
         let places = if slotted { places.collect() } else { vec![laid] };
-        let reach = all.flat_map(|j| {
+        let places = &places;
+        let reach = all.filter_map(|j| j.kind.surface()).flat_map(|(at, radius_m, _)| {
             // Under the whole of a wheel.
-            let radius = j.kind.surface().map_or(0.0, |(_, radius_m, _)| view.of(radius_m) * self.scale);
-            let along = |at, laid| (self.spot(view, laid, at) - self.spot(view, laid, on)).dot(&direction);
-            let ways = places.iter().flat_map(move |laid| j.kind.spots().map(move |at| along(at, laid)));
-            ways.flat_map(move |x| [x - radius, x + radius])
+            let radius = view.of(radius_m) * self.scale;
+            let along =
+                move |laid: &&[Laid]| (self.spot(view, laid, at) - self.spot(view, laid, on)).dot(&direction);
+            places.iter().map(along).flat_map(move |x| [x - radius, x + radius])
         });
         let (low, high) = reach.fold((0.0, 0.0), |(a, b), x| (f64::min(a, x), f64::max(b, x)));
         if slotted {
@@ -259,9 +263,14 @@ impl PlaneLayout {
     /// The corners of a block that does not turn: along its guide, or upon the surface on which it slides.
     fn block(&self, view: &SceneView, laid: &[Laid], body: usize) -> [Vec2; 4] {
         let Laid { origin, axis } = laid[body];
-        let lies = view.scene.joints.iter().find_map(|j| match j.kind {
+        let lies = view.scene.joints.iter().enumerate().find_map(|(j, joint)| match joint.kind {
             JointKind::Guide { at, line, .. } if at.body == body => {
                 Some((self.direction(view, laid, line), if line.on.is_some() { 10.0 } else { 0.0 }))
+            }
+            JointKind::Guide { line: line @ Straight { on: Some(on), .. }, .. }
+                if on.body == body && recoils(view, j) =>
+            {
+                Some((self.direction(view, laid, line), -10.0))
             }
             JointKind::Contact { at, surface: Surface::Arc { inside, .. }, .. } if at.body == body => {
                 Some((-axis.left(), if inside { -10.0 } else { 10.0 }))
@@ -272,28 +281,56 @@ impl PlaneLayout {
             _ => None,
         });
         let (side, off) = lies.unwrap_or((axis, 0.0));
-        // What strikes lies on the side from which it comes.
-        let arrives = view.scene.planar(body).and_then(|planar| planar.arrives);
-        let beyond = arrives
-            .is_some_and(|arrives| Vec2::at_degrees(view.of(arrives.direction_deg)).dot(&side.left()) > 1e-9);
+        // What strikes lies on the side from which it comes, as seen from what it strikes.
+        let comes = |body: usize| {
+            let arrives = view.scene.planar(body).and_then(|planar| planar.arrives);
+            let comes = arrives.map(|a| Vec2::at_degrees(view.of(a.direction_deg)) * view.of(a.speed_m_s));
+            comes.unwrap_or_default()
+        };
+        let strikes = view.scene.restitution.and_then(|(j, _)| {
+            let mut spots = view.scene.joints.get(j)?.kind.spots();
+            Some((spots.next()?.body, spots.next()?.body))
+        });
+        let way = match strikes {
+            Some((striker, struck)) if [striker, struck].contains(&body) => comes(striker) - comes(struck),
+            _ => comes(body),
+        };
+        let beyond = way.dot(&side.left()) > 1e-9;
         let off = if beyond { -off } else { off };
         let (a, b) = (side * 15.0, side.left() * 10.0);
         let origin = origin + side.left() * off;
         [origin + a + b, origin - a + b, origin - a - b, origin + a - b]
     }
 
+    /// Is what touches with this radius, m, and has its mass centre so many pixels off the middle, half of a cylinder, a tube, a ball
+    /// or a shell? No other body has its mass like that.
+    fn is_half(&self, view: &SceneView, body: usize, off: f64, radius: f64) -> bool {
+        const PI: f64 = std::f64::consts::PI;
+        let this = &view.scene.bodies[body];
+        let off = off / (self.scale * radius);
+        let about_middle = view.inertia(this) / (view.kilograms(this) * radius * radius) + off * off;
+        let halves = [(4.0 / (3.0 * PI), 0.5), (2.0 / PI, 1.0), (0.375, 0.4), (0.5, 2.0 / 3.0)];
+        halves
+            .iter()
+            .any(|(centre, moment)| (off - centre).abs() < 1e-6 && (about_middle - moment).abs() < 1e-6)
+    }
+
     pub fn outline(&self, board: &mut Board, view: &SceneView, laid: &[Laid], body: usize, role: Role) {
         let this = &view.scene.bodies[body];
         let Some(planar) = &this.planar else { return };
         let Laid { origin, axis } = laid[body];
-        if !this.turns {
-            if let Some(corners) = self.top(view, laid, body) {
-                return board.lines(&corners, true, role);
+        // Nothing turns a disc on a smooth bearing: it is round all the same.
+        let own = matches!(this.inertia, Some(RotaryInertia::Shape(shape, _)) if shape != Shape::Rod);
+        if !this.turns && (!own || is_guided(view, body)) {
+            match self.top(view, laid, body) {
+                Some(corners) => board.lines(&corners, true, role),
+                None if names::is_particle(view.scene, body) => board.circle(origin, END, role),
+                None => board.lines(&self.block(view, laid, body), true, role),
             }
-            board.lines(&self.block(view, laid, body), true, role);
             return;
         }
         let place = |p: Vec2| origin + (axis * p.x + axis.left() * p.y) * self.scale;
+        let open = role == Role::Body && layout::is_open(this);
         let plate = plate(view, body, planar);
         if let Some(corners) = &plate {
             let corners: Vec<Vec2> = corners.iter().copied().map(place).collect();
@@ -315,29 +352,57 @@ impl PlaneLayout {
             }
             (_, Some(round)) if circles.is_empty() => {
                 let round = (round * self.scale).max(END);
-                return parts::round_link(board, (centre, round), &[from, to], role);
+                return parts::round_link(board, (centre, round), &[from, to], open, role);
             }
             _ => {}
         }
         circles.dedup();
-        for (centre, radius) in &mut circles {
+        for (at, radius) in &mut circles {
+            let off = centre - *at;
+            if self.is_half(view, body, off.norm(), *radius) {
+                let flat = off.angle_of() - 0.5 * std::f64::consts::PI;
+                let half = (*at, *radius * self.scale, flat, flat + std::f64::consts::PI);
+                return board.arcs(vec![half], role);
+            }
             *radius = (*radius * self.scale).max(END);
-            parts::rim(board, *centre, *radius, role == Role::Body && layout::is_open(this), role);
+            parts::rim(board, *at, *radius, open, role);
         }
-        // What is round by its shape has no rod in it: a thin line shows how it has turned.
+        // What is round has no rod in it: a thin line shows how it has turned.
         let inside = |p: Vec2| circles.iter().any(|(centre, radius)| (p - centre).norm() < radius + 1.0);
-        if matches!(this.inertia, Some(RotaryInertia::Shape(..)))
-            && this.rod().is_none()
-            && inside(from)
-            && inside(to)
-        {
+        if this.rod().is_none() && inside(from) && inside(to) {
             return board.lines(&[from, to], false, if role == Role::Body { Role::Inner } else { role });
         }
         if plate.is_none() {
+            // An arm leads from its axis to what acts beside it, as to a shoe.
+            for (point, (_, at)) in planar.points.iter().enumerate() {
+                let [x, y] = at.map(|x| along(view, x));
+                let (foot, tip, side) = (place(vec2(x, 0.0)), place(vec2(x, y)), axis * (0.8 * THICK));
+                let acts = acts_at(view.scene).any(|spot| spot == Spot { body, point });
+                if acts && (tip - foot).norm() > THICK && !inside(tip) {
+                    board.lines(&[foot + side, tip + side, tip - side, foot - side], true, role);
+                }
+            }
             let (side, on) = (axis.left() * THICK, axis * THICK);
             board.lines(&[from - on + side, to + on + side, to + on - side, from - on - side], true, role);
         }
     }
+}
+
+/// Does its point recoil there?
+fn recoils(view: &SceneView, joint: usize) -> bool {
+    view.scene.restitution.is_some_and(|(recoils, _)| recoils == joint)
+}
+
+/// Does a straight guide hold a point of it?
+fn is_guided(view: &SceneView, body: usize) -> bool {
+    let guides = |j: &Joint| matches!(j.kind, JointKind::Guide { at, .. } if at.body == body);
+    view.scene.joints.iter().any(guides)
+}
+
+/// The points of bodies at which a joint, a force or a spring acts.
+fn acts_at(scene: &Scene) -> impl Iterator<Item = Spot> {
+    let joints = scene.joints.iter().flat_map(|joint| joint.kind.spots());
+    joints.chain(scene.pushes.iter().map(|push| push.at)).chain(scene.struts.iter().map(|strut| strut.at))
 }
 
 /// The bodies at an angle of the leading one, m; `None` where the joints do not place them.
@@ -474,16 +539,16 @@ pub fn hangs(view: &SceneView) -> bool {
 /// Draws the bodies with their joints, forces and sizes.
 pub fn draw(board: &mut Board, view: &SceneView) {
     let Some(plane) = PlaneLayout::new(view) else { return };
-    // What strikes is guided by nothing.
-    let recoils = |j: &usize| view.scene.restitution.is_some_and(|(recoils, _)| recoils == *j);
-    let joints = view.scene.joints.iter().enumerate().filter(|(j, _)| !recoils(j));
+    // What strikes a body is guided by nothing.
+    let bodies_strike = |(j, joint): &(usize, &Joint)| recoils(view, *j) && joint.kind.carrier().is_some();
+    let joints = view.scene.joints.iter().enumerate().filter(|joint| !bodies_strike(joint));
     let runs: Vec<GuideRun> = joints.filter_map(|(_, joint)| GuideRun::new(view, &plane, joint)).collect();
     let others = |i: usize| -> Vec<&GuideRun> {
         runs.iter().enumerate().filter(|(k, _)| *k != i).map(|(_, run)| run).collect()
     };
     let rails = |board: &mut Board, carrier: Option<usize>| {
         let own = runs.iter().enumerate().filter(|(_, run)| run.carrier == carrier);
-        own.for_each(|(i, run)| guide(board, run, &others(i)));
+        own.for_each(|(i, run)| guide(board, run, &others(i), view.scene.carried.is_some()));
     };
     rails(board, None);
     for (i, run) in runs.iter().enumerate() {
@@ -496,9 +561,13 @@ pub fn draw(board: &mut Board, view: &SceneView) {
             plane.outline(board, view, end, b, Role::Ghost);
         }
     }
-    // What moves in a slot lies above it.
+    // What moves in a slot lies above it, but for a disc, which would hide it.
+    let hides = |b: usize| {
+        let planar = view.scene.planar(b).filter(|_| view.scene.bodies[b].turns);
+        planar.and_then(|planar| round(view, b, planar)).is_some_and(|r| r * plane.scale > 2.0 * GUIDE)
+    };
     let mut order: Vec<usize> = (0..view.scene.bodies.len()).collect();
-    order.sort_by_key(|b| !is_slotted(view, *b));
+    order.sort_by_key(|b| (!hides(*b), !is_slotted(view, *b)));
     for b in order {
         plane.outline(board, view, &plane.start, b, Role::Body);
         rails(board, Some(b));
@@ -508,9 +577,7 @@ pub fn draw(board: &mut Board, view: &SceneView) {
     }
     for strut in &view.scene.struts {
         let (mut near, far) = plane.ends(view, &plane.start, strut);
-        let (Rest::Length(rest) | Rest::Stretch(rest)) = strut.rest;
-        let units = if strut.twists() { ["N·m/rad", "°"] } else { ["N/m", "m"] };
-        let rows = vec![view.label(strut.stiffness_n_m, units[0]), view.label(rest, units[1])];
+        let rows = vec![view.label(strut.stiffness_n_m, spring_units(strut)[0]), relaxed(view, strut)];
         if strut.twists() {
             // A spiral about the point, out from it by half turns.
             for (i, lower) in [0.0, 1.0, 0.0, 1.0].into_iter().enumerate() {
@@ -562,6 +629,32 @@ pub fn draw(board: &mut Board, view: &SceneView) {
     }
     places(board, view, &plane);
     loads(board, view, &plane);
+}
+
+/// Units of the stiffness of a spring and of what says when it is relaxed.
+fn spring_units(strut: &Strut) -> [&'static str; 2] {
+    if strut.twists() { ["N·m/rad", "°"] } else { ["N/m", "m"] }
+}
+
+/// When a spring is relaxed: a number that no symbol tells has a name.
+fn relaxed(view: &SceneView, strut: &Strut) -> Vec<TextRun> {
+    let (Rest::Length(rest) | Rest::Stretch(rest)) = strut.rest;
+    let label = view.label(rest, spring_units(strut)[1]);
+    match rest {
+        Num::Fixed(_) => symbol::upright(rest_words(view, strut, &symbol::plain(&label))),
+        _ => label,
+    }
+}
+
+/// The same in words.
+fn rest_words(view: &SceneView, strut: &Strut, size: &str) -> String {
+    let name = match (strut.rest, strut.twists()) {
+        (Rest::Length(_), false) => "length",
+        (Rest::Stretch(_), false) => "stretch",
+        (Rest::Length(_), true) => "relaxed",
+        (Rest::Stretch(_), true) => "wound",
+    };
+    view.words.say(&format!("figure.joined.rest.{name}"), &[("size", size)])
 }
 
 /// A strap that is longer than the distance of its ends, hanging slack: as an arc, of its own length where that is less than half a
@@ -705,12 +798,12 @@ impl GuideRun {
 }
 
 /// A line that guides a point: hatched where it only pushes, else two rails, open where two of them cross.
-fn guide(board: &mut Board, run: &GuideRun, others: &[&GuideRun]) {
+fn guide(board: &mut Board, run: &GuideRun, others: &[&GuideRun], carried: bool) {
     let normal = run.direction.left();
     let sides = if run.one_sided { vec![-run.apart] } else { vec![run.apart, -run.apart] };
     for side in sides {
         for (from, to) in run.pieces(side, others) {
-            if run.one_sided && run.carrier.is_none() {
+            if run.one_sided && run.carrier.is_none() && !carried {
                 board.hatch(from, to, -normal);
             }
             board.line(from, to, if run.carrier.is_some() { Role::Body } else { Role::Ground });
@@ -777,7 +870,7 @@ fn held(board: &mut Board, view: &SceneView, plane: &PlaneLayout, index: usize) 
     let joint = &view.scene.joints[index];
     match joint.kind {
         JointKind::Guide { at, one_sided, .. } => {
-            if !one_sided && view.scene.bodies[at.body].turns {
+            if !one_sided && !recoils(view, index) && view.scene.bodies[at.body].turns {
                 board.circle(plane.spot(view, &plane.start, at), 3.6, Role::Inner);
             }
         }
@@ -790,7 +883,10 @@ fn held(board: &mut Board, view: &SceneView, plane: &PlaneLayout, index: usize) 
             board.lines(&[wall - across * 12.0, place, wall + across * 12.0], true, Role::Inner);
             let (a, b) = (wall + across * 24.0, wall - across * 24.0);
             let (a, b) = if side.y < -0.5 || side.x < -0.5 { (b, a) } else { (a, b) };
-            board.hatch(a, b, side);
+            // What carries the whole scene is no ground.
+            if view.scene.carried.is_none() {
+                board.hatch(a, b, side);
+            }
             board.line(a, b, Role::Ground);
             board.circle(place, 3.6, Role::Inner);
         }
@@ -869,38 +965,43 @@ fn held(board: &mut Board, view: &SceneView, plane: &PlaneLayout, index: usize) 
 
 /// Names of points, and the mass centre, of a single body or of this one alone.
 pub fn letters(board: &mut Board, view: &SceneView, plane: &PlaneLayout, laid: &[Laid], only: Option<usize>) {
-    let mut named: Vec<Vec2> = Vec::new();
     let single = view.scene.bodies.len() == 1 || only.is_some();
+    let mut named: Vec<(Vec2, &str, usize)> = Vec::new();
     for (b, body) in view.scene.bodies.iter().enumerate().filter(|(b, _)| only.is_none_or(|o| o == *b)) {
         let Some(planar) = body.planar.as_ref().filter(|_| body.turns) else { continue };
-        let axis = laid[b].axis;
-        let mut letter = |text: &str, at: Vec2, dot: bool| {
-            if named.iter().any(|p| (*p - at).norm() < 3.0) {
-                return;
+        let centre = single.then(|| {
+            let at = plane.centre(view, laid, b);
+            board.dot(at);
+            (at, "G", b)
+        });
+        let spot = |point| plane.spot(view, laid, Spot { body: b, point });
+        let points = planar.points.iter().enumerate().map(|(point, (name, _))| (spot(point), &**name, b));
+        for letter in centre.into_iter().chain(points) {
+            if !named.iter().any(|(at, ..)| (*at - letter.0).norm() < 3.0) {
+                named.push(letter);
             }
-            named.push(at);
-            if dot {
-                board.dot(at);
-            }
-            // Beside the axis, then between the lines that cross there: the axis, a slot, a bracket, a dashed line.
-            let across = axis.left();
-            let beside = [across, -across, axis, -axis].map(|d| (at + d * 6.0, d));
-            let along = [14.0, -14.0, 24.0, -24.0, 34.0, -34.0]
-                .into_iter()
-                .flat_map(|s| [across, -across].map(|d| (at + axis * s + d * 6.0, d)));
-            let between = (0..4).flat_map(|quarter| {
-                let d = Vec2::at_degrees(45.0 + 90.0 * f64::from(quarter));
-                [(at + d * 10.0, d), (at + d * 18.0, d)]
-            });
-            let spots = beside.into_iter().chain(between).chain(along.filter(|_| dot)).collect();
-            board.label(vec![symbol::italic(text)], Role::Dot, (LabelTie::Near, 4.0), spots);
+        }
+    }
+    let tags = names::tags(view.problem, view.scene);
+    for (at, name, b) in &named {
+        let (at, axis, centre) = (*at, laid[*b].axis, single && *name == "G");
+        // Beside the axis, then between the lines that cross there: the axis, a slot, a bracket, a dashed line.
+        let across = axis.left();
+        let beside = [across, -across, axis, -axis].map(|d| (at + d * 6.0, d));
+        let along = [14.0, -14.0, 24.0, -24.0, 34.0, -34.0]
+            .into_iter()
+            .flat_map(|s| [across, -across].map(|d| (at + axis * s + d * 6.0, d)));
+        let between = (0..4).flat_map(|quarter| {
+            let d = Vec2::at_degrees(45.0 + 90.0 * f64::from(quarter));
+            [(at + d * 10.0, d), (at + d * 18.0, d)]
+        });
+        let spots = beside.into_iter().chain(between).chain(along.filter(|_| centre)).collect();
+        // Points of several bodies that are called alike bear the mark of their body.
+        let letter = match named.iter().any(|(_, other, of)| other == name && of != b) {
+            true => symbol::symbol(&names::tagged(name, &tags[*b])),
+            false => symbol::italic(*name),
         };
-        if single {
-            letter("G", plane.centre(view, laid, b), true);
-        }
-        for (point, (name, _)) in planar.points.iter().enumerate() {
-            letter(name, plane.spot(view, laid, Spot { body: b, point }), false);
-        }
+        board.label(vec![letter], Role::Dot, (LabelTie::Near, 4.0), spots);
     }
 }
 
@@ -1024,29 +1125,13 @@ fn sizes(board: &mut Board, view: &SceneView, plane: &PlaneLayout, body: usize) 
         Some(RotaryInertia::Moment(i @ Num::Datum(_))) => rows.push(view.label(*i, "kg·m<sup>2</sup>")),
         _ => {}
     }
-    let reach = |way: Vec2| {
-        let far = corners(view, body, planar).into_iter().map(|c| axis * c.x + axis.left() * c.y);
-        far.map(|c| c.dot(&way) * plane.scale).fold(0.0, f64::max)
-    };
-    let centre = ("G".to_owned(), [planar.centre, Place::At(Num::Fixed(0.0))]);
-    // Where no length of the body stands on the free side, the distance of its mass centre does.
-    let sides = planar.points.iter().map(|point| (point, -out));
-    for ((name, place), side) in sides.chain([(&centre, if this.rod().is_some() { -out } else { out })]) {
-        let foot = origin + axis * (along(view, place[0]) * plane.scale);
-        let point = foot + axis.left() * (along(view, place[1]) * plane.scale);
-        for (n, from, to, aside, off) in
-            [(place[0], origin, foot, side, 26.0 + reach(side)), (place[1], foot, point, axis, 26.0)]
-        {
-            if let (Place::At(n @ Num::Datum(_)), true) = (n, this.turns)
-                && !matches!(this.inertia, Some(RotaryInertia::Shape(Shape::Rod, l)) if l == n)
-                && !name.is_empty()
-            {
-                dimension(board, from, to, aside, off, view.label(n, "m"));
-            }
-        }
-    }
+    lengths(board, view, plane, body);
     let middle = from.middle(to);
-    let side = if this.turns { THICK } else { 12.0 };
+    let side = match round(view, body, planar).filter(|_| !this.turns) {
+        Some(radius) => radius * plane.scale,
+        None if this.turns => THICK,
+        None => 12.0,
+    };
     // Beside the middle, where the mass centre has its dot; across the line of its length only where all else is taken.
     let places = [0.22, -0.22, 0.33, -0.33, 0.12, -0.12].map(|share| middle + (to - from) * share);
     let beside = [-out, out].into_iter().flat_map(|d| places.map(|p| (p + d * side, d)));
@@ -1074,6 +1159,62 @@ fn sizes(board: &mut Board, view: &SceneView, plane: &PlaneLayout, body: usize) 
     };
     let spots = ends.into_iter().chain(beside);
     board.label(rows, Role::Dot, (LabelTie::Clear, 6.0), spots.collect());
+}
+
+/// Distances of the named points and of the mass centre of a body from its origin, each once. An expression is drawn where it alone
+/// tells a datum.
+fn lengths(board: &mut Board, view: &SceneView, plane: &PlaneLayout, body: usize) {
+    let this = &view.scene.bodies[body];
+    let Some(planar) = this.planar.as_ref().filter(|_| this.turns) else { return };
+    let Laid { origin, axis } = plane.start[body];
+    let out = free_side(view, plane, body);
+    let whole = corners(view, body, planar);
+    let reach = |way: Vec2| {
+        let far = whole.iter().map(|c| axis * c.x + axis.left() * c.y);
+        far.map(|c| c.dot(&way) * plane.scale).fold(0.0, f64::max)
+    };
+    let is_plate = plate(view, body, planar).is_some();
+    let centre = [planar.centre, Place::At(Num::Fixed(0.0))];
+    // Where no length of the body stands on the free side, the distance of its mass centre does.
+    let acts = |point| acts_at(view.scene).any(|spot| spot == Spot { body, point });
+    let points = planar.points.iter().enumerate();
+    let sides = points.map(|(point, (_, place))| (place, -out, acts(point)));
+    let mut found = Vec::new();
+    for (place, side, acts) in sides.chain([(&centre, if this.rod().is_some() { -out } else { out }, false)])
+    {
+        let [x, y] = place.map(|x| along(view, x) * plane.scale);
+        let foot = origin + axis * x;
+        let point = foot + axis.left() * y;
+        // Beside a plate, else by the point.
+        let (end, off) = match is_plate {
+            true if x < 0.5 * (reach(axis) - reach(-axis)) => (-axis, reach(-axis) + x),
+            true => (axis, reach(axis) - x),
+            false => (axis, 0.0),
+        };
+        for (n, line, aside, off) in
+            [(place[0], (origin, foot), side, reach(side)), (place[1], (foot, point), end, off)]
+        {
+            let Place::At(n) = n else { continue };
+            // Both halves of a plate are a length of it.
+            let whole = view.twice(n).filter(|_| is_plate && line.0 == foot);
+            let line = whole.map_or(line, |_| (foot * 2.0 - point, point));
+            found.push((whole.unwrap_or(view.unsigned(n)), line, aside, 26.0 + off, acts));
+        }
+    }
+    let touches = view.scene.joints.iter().filter(|joint| joint.kind.spots().any(|spot| spot.body == body));
+    let told = touches.filter_map(|joint| Some(joint.kind.surface()?.1)).chain(this.rod());
+    let mut told: Vec<Num> = told.chain(view.radii(this).into_iter().map(|(n, _)| n)).collect();
+    let own = told.clone();
+    // Data first: an expression of them tells nothing more. Then where nothing stands.
+    found.sort_by_key(|(n, .., acts)| (!matches!(n, Num::Datum(_)), *acts));
+    for (n, (from, to), aside, off, _) in found {
+        let data = view.data(n);
+        let radius = data == [n] && own.contains(&n) && this.rod() != Some(n);
+        if radius || data.iter().any(|datum| !told.contains(datum)) {
+            dimension(board, from, to, aside, off, view.label(n, "m"));
+        }
+        told.extend(data);
+    }
 }
 
 /// Do these corners of what carries a line make a wedge, and no plank?
@@ -1243,13 +1384,11 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
         out.push(say(name, &[("body", &say::named(view, body))]));
         say::couples(view, b, out);
         for (degree, num) in view.started(b) {
-            let turn =
-                if view.scene.planar(b).is_some_and(|p| p.clockwise) { "clockwise" } else { "counter" };
-            let sense = match degree {
-                Degree::Turn => Some(view.words.get(&format!("figure.turn.{turn}")).to_owned()),
-                Degree::Along => heading(view, b).map(|to| teller.heads(to * view.of(num).signum())),
+            let along = || heading(view, b).map(|to| teller.heads(to * view.of(num).signum()));
+            let positive = match degree {
+                Degree::Turn => teller.positive_turn(b),
+                Degree::Along => along().map_or_else(String::new, |way| say("positive", &[("sense", &way)])),
             };
-            let positive = sense.map_or_else(String::new, |sense| say("positive", &[("sense", &sense)]));
             let spin = say::text(view, num, given::speed_unit(degree));
             out.push(say("spin", &[("spin", &spin), ("positive", &positive)]));
         }
@@ -1257,7 +1396,8 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
     if let Some((lead, planar)) = view.scene.lead().and_then(|l| Some((l, view.scene.planar(l)?))) {
         let body = names::body_within(view.words, view.scene, lead);
         let the = names::the_body(view.words, view.scene, lead);
-        let from = view.words.get(&format!("figure.joined.ray.{}", ray(planar)));
+        let flat = if view.scene.lies_level() { "flat_ray" } else { "ray" };
+        let from = view.words.get(&format!("figure.joined.{flat}.{}", ray(planar)));
         if let Some(start) = planar.start_deg {
             out.push(say(
                 "start",
@@ -1293,14 +1433,20 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
         out.push(say(name, &pieces));
     }
     for (b, arrival) in view.scene.arrivals() {
+        let moves = [arrival.speed_m_s, arrival.spin_rad_s].map(|num| view.of(num) != 0.0);
         let mut arrives = |name: &str, (num, unit): (Num, &str), way: &str| {
-            if view.of(num) != 0.0 {
-                let (the, size) = (names::the_body(view.words, view.scene, b), say::text(view, num, unit));
-                out.push(say(name, &[("the", &the), ("size", &size), ("way", way)]));
-            }
+            let (the, size) = (names::the_body(view.words, view.scene, b), say::text(view, num, unit));
+            out.push(say(name, &[("the", &the), ("size", &size), ("way", way)]));
         };
-        arrives("arrives", (arrival.speed_m_s, "m/s"), &teller.way(arrival.direction_deg, false));
-        arrives("arrives_turning", (arrival.spin_rad_s, "rad/s"), "");
+        if moves[0] {
+            arrives("arrives", (arrival.speed_m_s, "m/s"), &teller.way(arrival.direction_deg, false));
+        }
+        if moves[1] {
+            arrives("arrives_turning", (arrival.spin_rad_s, "rad/s"), &teller.positive_turn(b));
+        }
+        if moves == [false; 2] {
+            arrives("arrives_at_rest", (arrival.speed_m_s, "m/s"), "");
+        }
     }
     out.extend(view.scene.struts.iter().map(|strut| teller.strut(strut)));
     // The letter of a point stays as it is.
@@ -1317,6 +1463,13 @@ struct Teller<'v, 'a> {
 impl Teller<'_, '_> {
     fn say(&self, name: &str, pieces: &[(&str, &str)]) -> String {
         self.view.words.say(&format!("figure.joined.{name}"), pieces)
+    }
+    /// In which sense the turn of a body counts.
+    fn positive_turn(&self, body: usize) -> String {
+        let clockwise = self.view.scene.planar(body).is_some_and(|p| p.clockwise);
+        let sense =
+            self.view.words.get(if clockwise { "figure.turn.clockwise" } else { "figure.turn.counter" });
+        self.say("positive", &[("sense", sense)])
     }
     fn called(&self, spot: Spot) -> String {
         let (_, point) = self.view.scene.point_name(spot).unwrap_or(("", ""));
@@ -1445,9 +1598,9 @@ impl Teller<'_, '_> {
     }
     fn strut(&self, strut: &Strut) -> String {
         let (Rest::Length(rest) | Rest::Stretch(rest)) = strut.rest;
-        let units = if strut.twists() { ["N·m/rad", "°"] } else { ["N/m", "m"] };
-        let list =
-            [say::text(self.view, strut.stiffness_n_m, units[0]), say::text(self.view, rest, units[1])];
+        let units = spring_units(strut);
+        let rest = rest_words(self.view, strut, &say::text(self.view, rest, units[1]));
+        let list = [say::text(self.view, strut.stiffness_n_m, units[0]), rest];
         let name = match (strut.to, strut.acts) {
             (StrutEnd::Twist, _) => "torsion",
             (_, Acts::Both) => "spring",

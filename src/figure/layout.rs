@@ -595,7 +595,10 @@ impl Builder<'_> {
         }
         let mut pieces: Vec<CordPiece> = self.wound(&placed, end, towards).into_iter().collect();
         let from = Self::visible(&placed, end, at, towards);
-        let clear = placed.reach(towards)
+        // What leaves a rim aslant is clear of it at once, and shall not reach what hangs beside.
+        let own =
+            if end.tilt_deg.is_some() && end.attach != Attach::Centre { 0.0 } else { placed.reach(towards) };
+        let clear = own
             + match cord.to {
                 Far::Pull(_) => 26.0,
                 Far::Spring { .. } => 40.0,
@@ -731,8 +734,11 @@ impl Builder<'_> {
         let BodyPair { from, to, away, .. } = &*joint;
         let hangs = away.y < -0.7 && from.on.is_none();
         let far_axle = self.view.scene.bodies[joint.far.body].line.is_none();
+        // Clear of what is pulled aslant above it.
+        let aslant = |tie: &Tie| matches!(tie, Tie::Cord(c) if c.from.body == joint.near.body && c.from.tilt_deg.is_some());
+        let lower = if self.view.scene.ties.iter().any(aslant) { PULL } else { 0.0 };
         let free = match (hangs, far_axle) {
-            (true, _) => 40.0 + self.hanging[joint.near.body] as f64 * 30.0,
+            (true, _) => 40.0 + lower + self.hanging[joint.near.body] as f64 * 30.0,
             (false, true) => 74.0,
             (false, false) => 58.0,
         };

@@ -7,20 +7,22 @@ use crate::scene::{Body, Far, Joint, JointKind, Mass, Num, RotaryInertia, Scene,
 use crate::words::Words;
 
 /// What kind of body it is, in a word: by its id where that is a word that the language knows, else by what it is.
-fn kind<'w>(words: &'w Words, body: &Body) -> &'w str {
-    let id = kind_id(words, body);
+fn kind<'w>(words: &'w Words, scene: &Scene, index: usize) -> &'w str {
+    let id = kind_id(words, scene, index);
     let known = format!("solution.body.{id}");
     if words.has(&known) { words.get(&known) } else { words.get(&format!("figure.{id}")) }
 }
 
 /// The name of this word.
-fn kind_id<'b>(words: &Words, body: &'b Body) -> &'b str {
+fn kind_id<'b>(words: &Words, scene: &'b Scene, index: usize) -> &'b str {
+    let body = &scene.bodies[index];
     let id = body.name.trim_end_matches(|c: char| c.is_ascii_digit() || c == '_');
     if words.has(&format!("solution.body.{id}")) {
         return id;
     }
     match &body.inertia {
         None if body.line.is_some_and(|l| !l.surface && l.slope == Slope::Vertical) => "load",
+        None if is_particle(scene, index) => "particle",
         None => "block",
         Some(RotaryInertia::Shape(Shape::Rod, _)) => "rod",
         Some(RotaryInertia::Shape(Shape::Sphere | Shape::Shell, _)) => "ball",
@@ -34,12 +36,21 @@ fn kind_id<'b>(words: &Words, body: &'b Body) -> &'b str {
     }
 }
 
+/// Is it a mass at a point of other bodies, or at the end of a cord or of a light rod?
+pub(crate) fn is_particle(scene: &Scene, index: usize) -> bool {
+    let mut holds = scene.joints.iter().filter(|j| j.kind.spots().any(|spot| spot.body == index)).peekable();
+    let at_point =
+        |j: &Joint| matches!(j.kind, JointKind::Hinge { .. } | JointKind::Cord { beyond: None, .. });
+    scene.bodies[index].inertia.is_none() && holds.peek().is_some() && holds.all(at_point)
+}
+
 /// A body in words, as a heading: `Wheel`; of several of a kind `Load 2`, or `Block B` where their ids are letters.
 pub fn body(words: &Words, scene: &Scene, index: usize) -> String {
-    let Some(this) = scene.bodies.get(index) else { return String::new() };
-    let word = kind(words, this);
-    let alike: Vec<usize> =
-        (0..scene.bodies.len()).filter(|b| kind(words, &scene.bodies[*b]) == word).collect();
+    if index >= scene.bodies.len() {
+        return String::new();
+    }
+    let word = kind(words, scene, index);
+    let alike: Vec<usize> = (0..scene.bodies.len()).filter(|b| kind(words, scene, *b) == word).collect();
     if alike.len() < 2 {
         return word.to_owned();
     }
@@ -68,12 +79,10 @@ pub fn body_within(words: &Words, scene: &Scene, index: usize) -> String {
 /// The same with its article, which one of several does not have: `load 2`.
 pub fn the_body(words: &Words, scene: &Scene, index: usize) -> String {
     let name = body_within(words, scene, index);
-    match scene.bodies.get(index) {
-        Some(this) if !name.contains(' ') => {
-            format!("{} {name}", words.get(&format!("solution.article.{}", kind_id(words, this))))
-        }
-        _ => name,
+    if name.is_empty() || name.contains(' ') {
+        return name;
     }
+    format!("{} {name}", words.get(&format!("solution.article.{}", kind_id(words, scene, index))))
 }
 
 /// The first of these symbols that no datum bears; if all are taken, the last one with a star.

@@ -14,9 +14,13 @@ const TILT: f64 = 34.0;
 pub fn rim(board: &mut Board, centre: Vec2, outer: f64, open: bool, role: Role) {
     board.circle(centre, outer, role);
     if open {
-        board.circle(centre, outer - 7.0, Role::Paper);
-        board.circle(centre, outer - 7.0, Role::Inner);
+        hole(board, centre, outer);
     }
+}
+
+fn hole(board: &mut Board, centre: Vec2, outer: f64) {
+    board.circle(centre, outer - 7.0, Role::Paper);
+    board.circle(centre, outer - 7.0, Role::Inner);
 }
 
 /// The body's outer edge.
@@ -34,29 +38,32 @@ pub fn outline(board: &mut Board, p: &Placed) {
 }
 
 /// A body of which nothing is known but its mass centre, how far from it the mass lies and two points on a line with it at most: the
-/// hull of a circle and of small ones about these points.
-pub fn round_link(board: &mut Board, (centre, round): (Vec2, f64), points: &[Vec2], role: Role) {
+/// hull of a circle and of small ones about these points; a hoop (`open`) has a hole.
+pub fn round_link(board: &mut Board, (centre, round): (Vec2, f64), points: &[Vec2], open: bool, role: Role) {
     let small = (round * 0.3).clamp(9.0, 16.0);
     let end = |point: &Vec2| {
         let off = point - centre;
         // Tangents touch both circles at this angle from the line.
         let cosine = ((round - small) / off.norm()).clamp(-1.0, 1.0);
-        let open = vec2(cosine, (1.0 - cosine * cosine).sqrt()).angle_of();
+        let apart = vec2(cosine, (1.0 - cosine * cosine).sqrt()).angle_of();
         // What is pinned at its rim is a disc.
         let rim = (off.norm() - round).abs() < 1e-6 * round;
-        (off.norm() + small > round + 1.0 && !rim).then(|| (*point, off.angle_of(), open))
+        (off.norm() + small > round + 1.0 && !rim).then(|| (*point, off.angle_of(), apart))
     };
     let ends: Vec<(Vec2, f64, f64)> = points.iter().filter_map(end).collect();
     if ends.is_empty() {
-        return board.circle(centre, round, role);
+        return rim(board, centre, round, open, role);
     }
     let mut arcs = Vec::new();
-    for ((point, towards, open), (_, next, next_open)) in ends.iter().zip(ends.iter().cycle().skip(1)) {
-        let (from, to) = (towards + open, next - next_open);
-        arcs.push((*point, small, towards - open, from));
+    for ((point, towards, apart), (_, next, next_apart)) in ends.iter().zip(ends.iter().cycle().skip(1)) {
+        let (from, to) = (towards + apart, next - next_apart);
+        arcs.push((*point, small, towards - apart, from));
         arcs.push((centre, round, from, from + (to - from).rem_euclid(2.0 * PI)));
     }
     board.arcs(arcs, role);
+    if open {
+        hole(board, centre, round);
+    }
 }
 
 /// What is drawn within a body: hubs, centre.

@@ -5,8 +5,8 @@ use crate::figure::view::SceneView;
 use crate::picture::symbol;
 use crate::picture::vector::Vec2;
 use crate::scene::{
-    Attach, Body, Coordinate, CordEnd, Degree, End, Far, GivenForce, Made, Mass, Num, Place, RotaryInertia,
-    Shape, Side, Slope, Start, Tie,
+    Attach, Body, Coordinate, CordEnd, Degree, End, Far, GivenForce, Made, Mass, Num, RotaryInertia, Shape,
+    Side, Slope, Start, Tie,
 };
 
 /// A number with its symbol, as text in one line: `R = 0.40 m`.
@@ -27,9 +27,10 @@ pub fn called(view: &SceneView, body: &Body) -> String {
 
 /// The body with its data: `Wheel (m = 40 kg, k = 0.25 m)`.
 pub fn named(view: &SceneView, body: &Body) -> String {
-    let mut data = Vec::new();
+    let (mut data, mut told) = (Vec::new(), Vec::new());
     let mut tell = |num: Num, unit: &str| {
-        if matches!(num, Num::Datum(_)) {
+        if matches!(num, Num::Datum(_)) && !told.contains(&num) {
+            told.push(num);
             data.push(text(view, num, unit));
         }
     };
@@ -48,13 +49,7 @@ pub fn named(view: &SceneView, body: &Body) -> String {
     }
     if let Some(planar) = &body.planar {
         let places = planar.points.iter().flat_map(|(_, place)| *place).chain([planar.centre]);
-        let mut told = vec![body.rod()];
-        for Place::At(n) | Place::HalfOf(n) in places {
-            if !told.contains(&Some(n)) {
-                told.push(Some(n));
-                tell(n, "m");
-            }
-        }
+        places.flat_map(|place| view.data(place.number())).for_each(|n| tell(n, "m"));
     }
     let name = called(view, body);
     if data.is_empty() { name } else { format!("{name} ({})", data.join(separator(view))) }

@@ -14,9 +14,6 @@ use crate::scene::{
 use crate::solve::outcome::Word;
 use crate::words::Words;
 
-/// How far the bed of a truck is below what hangs over it.
-const TRUCK: f64 = 26.0;
-
 /// The scene of a variant at its start.
 pub fn picture(problem: &Problem, variant: &Variant, words: &Words, labels: FigureLabels) -> Picture {
     drawn(problem, variant, words, labels, false)
@@ -99,11 +96,13 @@ fn mechanism(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
 /// What carries the scene: its speed at the start and its acceleration as arrows below, and in words.
 fn carrier(board: &mut Board, view: &SceneView, desc: &mut Vec<String>) {
     let Some(carrier) = view.scene.carried else { return };
-    if let (true, Slope::Level, Some(frame)) = (view.scene.lead().is_some(), carrier.slope, board.frame()) {
-        // Joined bodies stand and hang on a truck.
-        let gap = if linkage::hangs(view) { TRUCK } else { 0.0 };
-        let at = |x: f64| vec2(x, frame.low.y - gap);
-        parts::moving_surface(board, at(frame.low.x - 24.0), at(frame.high.x + 24.0), Vec2::DOWN, false);
+    let seen_from_the_side = view.scene.lead().is_some() && !view.scene.lies_level();
+    if let (true, Slope::Level, Some(frame)) = (seen_from_the_side, carrier.slope, board.frame()) {
+        // Joined bodies stand on a truck, or hang from a trolley.
+        let (y, into) =
+            if linkage::hangs(view) { (frame.high.y, Vec2::UP) } else { (frame.low.y, Vec2::DOWN) };
+        let at = |x: f64| vec2(x, y);
+        parts::moving_surface(board, at(frame.low.x - 24.0), at(frame.high.x + 24.0), into, false);
     }
     let Some(frame) = board.frame() else { return };
     let up = Vec2::at_degrees(view.degrees(carrier.slope));

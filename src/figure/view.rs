@@ -1,5 +1,5 @@
 //! A variant as a picture sees it: numbers of the scene, their symbols and drawn values as label text, words.
-use crate::bank::{FigureLabels, Problem, expression};
+use crate::bank::{Datum, FigureLabels, Problem, expression};
 use crate::num::shown;
 use crate::picture::{RunStyle, TextRun, symbol};
 use crate::problem::maker::Variant;
@@ -7,6 +7,7 @@ use crate::scene::{
     AsIf, Body, BodyNumbers, CordEnd, Degree, GivenForce, Grows, Label, Mass, Num, Numbers, Owner, Quantity,
     RotaryInertia, Scene, Shape, Slope, Start, Tie,
 };
+use crate::units::Unit;
 use crate::words::Words;
 
 /// A variant with what is needed to label its picture.
@@ -94,33 +95,61 @@ impl<'a> SceneView<'a> {
             Num::Datum(i) => self.problem.data.get(i).map_or_else(Vec::new, |d| symbol::symbol(&d.tex)),
             Num::Derived(i) => {
                 let Some(number) = self.scene.formulas.numbers.get(i) else { return Vec::new() };
-                if number.any {
-                    return symbol::symbol(&number.text);
-                }
-                let mut raised = false;
-                let term = |word| {
-                    let mut runs = self.term(word);
-                    if std::mem::replace(&mut raised, word == "^") {
-                        runs.iter_mut().for_each(|r| r.style = RunStyle::Super);
-                    }
-                    runs
-                };
-                expression::words(&number.text).flat_map(term).collect()
+                if number.any { symbol::symbol(&number.text) } else { self.written(&number.text) }
             }
             Num::Fixed(_) => Vec::new(),
         }
     }
 
-    /// A word of an expression: the symbol of a datum, or a sign.
-    fn term(&self, word: &str) -> Vec<TextRun> {
-        match (self.problem.data.iter().find(|d| d.symbol == word), word) {
-            (Some(datum), _) => symbol::symbol(&datum.tex),
-            (None, "*") => symbol::upright("\u{2009}"),
-            (None, "^") => Vec::new(),
-            (None, "-") => symbol::upright("−"),
-            (None, "pi") => symbol::upright("π"),
-            (None, other) => symbol::upright(other),
+    /// An expression as people write it.
+    fn written(&self, text: &str) -> Vec<TextRun> {
+        let degrees = text.replace("*pi/180", "°");
+        let words: Vec<&str> = expression::words(&degrees).collect();
+        // Brackets round the whole of it, or round one word, say nothing.
+        let closes = |open: usize| {
+            let mut depth = 0;
+            (open..words.len()).find(|i| {
+                depth += i32::from(words[*i] == "(") - i32::from(words[*i] == ")");
+                depth == 0
+            })
+        };
+        let called = |at: usize| words[..at].last().is_some_and(|w| w.starts_with(char::is_alphabetic));
+        let needless = |open: usize| {
+            let close = closes(open).filter(|_| words[open] == "(" && !called(open))?;
+            let alone = (open == 0 && close + 1 == words.len()) || close == open + 2;
+            alone.then_some([open, close])
+        };
+        let left_out: Vec<usize> = (0..words.len()).filter_map(needless).flatten().collect();
+        let (mut raised, mut divided) = (false, false);
+        let mut runs = Vec::new();
+        for (_, word) in words.iter().enumerate().filter(|(i, _)| !left_out.contains(i)) {
+            let mut term = match (self.problem.data.iter().find(|d| d.symbol == *word), *word) {
+                (Some(datum), _) => symbol::symbol(&datum.tex),
+                // What stands behind a quotient is not divided by.
+                (None, "*") if divided => symbol::upright("\u{2009}·\u{2009}"),
+                (None, "*") => symbol::upright("\u{2009}"),
+                (None, "^") => Vec::new(),
+                (None, "-") => symbol::upright("−"),
+                (None, "pi") => symbol::upright("π"),
+                (None, "sqrt") => symbol::upright("√"),
+                (None, "asin" | "acos" | "atan") => symbol::upright(format!("arc{}", &word[1..])),
+                (None, other) => symbol::upright(other),
+            };
+            divided = *word == "/" || divided && !["+", "-", "(", ")"].contains(word);
+            if std::mem::replace(&mut raised, *word == "^") {
+                term.iter_mut().for_each(|r| r.style = RunStyle::Super);
+            }
+            runs.extend(term);
         }
+        runs
+    }
+
+    /// The data that a number is, or of which it is worked out.
+    pub fn data(&self, num: Num) -> Vec<Num> {
+        let Num::Derived(i) = num else { return Vec::from_iter(matches!(num, Num::Datum(_)).then_some(num)) };
+        let text = self.scene.formulas.numbers.get(i).map_or("", |number| number.text.as_str());
+        let datum = |word: &str| self.problem.data.iter().position(|d| d.symbol == word);
+        expression::words(text).filter_map(datum).map(Num::Datum).collect()
     }
 
     /// The number as drawn, with its unit; a constant in `unit` (as HTML, SI).
@@ -136,10 +165,55 @@ impl<'a> SceneView<'a> {
                     _ => Vec::new(),
                 }
             }
-            Num::Fixed(x) => symbol::quantity(&self.words.number(&shown::constant(x)), unit),
-            // Its symbols say it; their values stand elsewhere.
-            Num::Derived(_) => Vec::new(),
+            Num::Fixed(x) => {
+                let (x, unit) = self.constant(x, unit);
+                symbol::quantity(&self.words.number(&shown::constant(x)), &unit)
+            }
+            // The negative of a datum has its value. Else its symbols say it; their values stand elsewhere.
+            Num::Derived(_) => match self.unsigned(num) {
+                datum @ Num::Datum(_) => {
+                    let mut value = self.value(datum, unit);
+                    if let Some(first) = value.first_mut() {
+                        first.text = match first.text.strip_prefix('−') {
+                            Some(size) => size.to_owned(),
+                            None => format!("−{}", first.text),
+                        };
+                    }
+                    value
+                }
+                _ => Vec::new(),
+            },
         }
+    }
+
+    /// A constant that a bank wrote, in the unit in which it most likely did: where data are told in customary units, in the one in
+    /// which it is short. Units as HTML.
+    fn constant(&self, x: f64, unit: &str) -> (f64, String) {
+        const CUSTOMARY: [&str; 11] = [
+            "ft",
+            "in",
+            "lbf",
+            "lbf*ft",
+            "lbf/ft",
+            "lbf/in",
+            "slug",
+            "slug*ft^2",
+            "ft/s",
+            "ft/s^2",
+            "rev/min",
+        ];
+        let si = unit.replace("<sup>", "^").replace("</sup>", "").replace('·', "*");
+        let units = || CUSTOMARY.iter().filter_map(|name| Unit::parse(name).ok());
+        let customary = |d: &Datum| units().any(|unit| unit.ascii() == d.unit.ascii());
+        let figures = |x: f64| (1..=7).find(|n| (shown::rounded(x, *n) / x - 1.0).abs() < 1e-12).unwrap_or(8);
+        let as_told = (x, unit.to_owned());
+        let Ok(si) = Unit::parse(&si) else { return as_told };
+        if x == 0.0 || !self.problem.data.iter().any(customary) {
+            return as_told;
+        }
+        let alike = units().filter(|unit| unit.dimension() == si.dimension());
+        let told = alike.map(|unit| (shown::rounded(unit.from_si(x), 12), unit.html()));
+        std::iter::once(as_told).chain(told).min_by_key(|(x, _)| figures(*x)).unwrap_or_default()
     }
 
     /// Label of a number: `R = 0.40 m`, or `R` alone; a constant is always its value.
@@ -215,18 +289,25 @@ impl<'a> SceneView<'a> {
     }
 
     /// The datum of which a number is the negative, else the number: an arrow shows the sense.
-    fn unsigned(&self, num: Num) -> Num {
+    pub fn unsigned(&self, num: Num) -> Num {
         let Num::Derived(i) = num else { return num };
         let written = self.scene.formulas.numbers.get(i).and_then(|n| n.text.strip_prefix('-'));
         let datum = self.problem.data.iter().position(|d| written.map(str::trim) == Some(d.symbol.as_str()));
         datum.map_or(num, Num::Datum)
     }
 
+    /// The datum of which a number is half, whatever its sign.
+    pub fn twice(&self, num: Num) -> Option<Num> {
+        let Num::Derived(i) = num else { return None };
+        let half = self.scene.formulas.numbers.get(i)?.text.trim_start_matches('-').strip_suffix("/2")?;
+        self.problem.data.iter().position(|d| d.symbol == half.trim()).map(Num::Datum)
+    }
+
     /// Label of the size of a number whose sense an arrow shows: `|ω_0| = 11 rad/s` of -11 rad/s.
     pub fn size_label(&self, num: Num, unit: &str) -> Vec<TextRun> {
-        let num = self.unsigned(num);
-        if self.labels == FigureLabels::Symbols && !self.symbol(num).is_empty() {
-            return symbol::magnitude(self.symbol(num), self.of(num) < 0.0);
+        let size = self.size_symbol(num);
+        if self.labels == FigureLabels::Symbols && !size.is_empty() {
+            return size;
         }
         self.size_runs(num, unit)
     }
@@ -242,9 +323,20 @@ impl<'a> SceneView<'a> {
         if let Some(first) = value.first_mut() {
             first.text = first.text.trim_start_matches('−').to_owned();
         }
-        match self.symbol(num) {
-            symbol if symbol.is_empty() => value,
-            symbol => joined(symbol::magnitude(symbol, self.of(num) < 0.0), value),
+        joined(self.size_symbol(num), value)
+    }
+
+    /// The symbols of the size of a number: of a negative product those of what it is the negative of.
+    fn size_symbol(&self, num: Num) -> Vec<TextRun> {
+        let num = self.unsigned(num);
+        let symbol = self.symbol(num);
+        let sum = |run: &TextRun| run.text.contains(['+', '−']);
+        match symbol.split_first() {
+            Some((minus, product)) if minus.text == "−" && !product.iter().any(sum) => {
+                symbol::magnitude(product.to_vec(), self.of(num) > 0.0)
+            }
+            Some(_) => symbol::magnitude(symbol, self.of(num) < 0.0),
+            None => symbol,
         }
     }
 

@@ -6,12 +6,12 @@ use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
 pub use crate::num::shown::significant as rounded;
 use crate::problem::rule::inadmissible;
-use crate::scene::admissible::TURNS;
+use crate::scene::admissible::{Inadmissible, Rule, TURNS};
 use crate::scene::given;
 use crate::scene::pose::{Choice, Gap, Layout, Obstacle};
 use crate::scene::{
-    AsIf, Asked, Coordinate, Degree, End, Found, JointKind, Mass, Num, Numbers, Owner, Planar, Quantity,
-    Scene, Span, Spot, Straight, Tie,
+    AsIf, Asked, Coordinate, Degree, End, Found, Joint, JointKind, Mass, Num, Numbers, Owner, Planar,
+    Quantity, Scene, Span, Spot, Straight, Tie,
 };
 use crate::solve::ladder::{self, Force, Taken};
 use crate::solve::method::{Method, Rung};
@@ -67,6 +67,7 @@ fn looks(scene: &Scene, all: &[Check]) -> String {
 /// Does it set itself going as declared? The name of the sentence that says so.
 fn moves(scene: &Scene, c: &Check) -> &'static str {
     let rubs = || scene.joints.iter().any(|j| j.kind.rubs().is_some());
+    let guided = || scene.joints.iter().any(|j| matches!(j.kind, JointKind::Guide { mu_k: Some(_), .. }));
     match c.ok {
         // What moves already needs no drive to set it going; a start speed may be 0.
         true if scene.is_struck() => "struck",
@@ -75,7 +76,10 @@ fn moves(scene: &Scene, c: &Check) -> &'static str {
         true if c.required == 0.0 => "free",
         true => "driven",
         false if scene.heading.is_some() && !scene.starts_from_rest() => "other_way",
-        false if c.available == 0.0 && c.required == 0.0 && rubs() => "held",
+        false if c.available == 0.0 && c.required == 0.0 && rubs() => match guided() {
+            true => "held",
+            false => "still",
+        },
         false => "not_driven",
     }
 }
@@ -87,7 +91,7 @@ pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
     let only_pushes = joint.is_some_and(|j| j.kind.only_pushes());
     let ok = |yes, no| if c.ok { yes } else { no };
     let how = match c.kind {
-        CheckKind::Reaches => return reaches(scene, c),
+        CheckKind::Reaches => return reaches(scene, all, c),
         CheckKind::Moves => moves(scene, c),
         CheckKind::NoSlip | CheckKind::Taut if c.available.is_nan() => "open",
         CheckKind::NoSlip if matches!(scene.ties.get(c.of), Some(Tie::Slide { .. })) => {
@@ -139,7 +143,7 @@ pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
 }
 
 /// Is the end reached, and how far does the motion go?
-fn reaches(scene: &Scene, c: &Check) -> String {
+fn reaches(scene: &Scene, all: &[Check], c: &Check) -> String {
     let (pinned, endless) = (scene.lead().is_some(), c.available.is_infinite());
     let started = !scene.starts_from_rest() && scene.ends_at_a_place();
     let at_start = !c.ok && c.required.total_cmp(&c.available).is_eq();
@@ -147,6 +151,7 @@ fn reaches(scene: &Scene, c: &Check) -> String {
         _ if scene.end == End::Equilibrium => "no_equilibrium",
         (true, _) if matches!(scene.end, End::Leaves(_)) => "left",
         (false, _) if matches!(scene.end, End::Leaves(_)) => "not_left",
+        _ if at_start && all.iter().any(|c| c.kind == CheckKind::Pressed && !c.ok) => "lost_at_start",
         // It is reached, and by a motion of no length.
         _ if at_start => "at_start",
         // In phases it goes on after a turning point, up to where nothing holds what slips.
@@ -344,7 +349,11 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
         Refusal::NextInadmissible(faults) => {
             let next = scene.formulas.others.iter().find(|(how, _)| *how == AsIf::Next);
             let next = next.map_or(scene, |(_, next)| next);
-            let told = |f| say("refused.next", &[("why", &inadmissible(problem, next, f))]);
+            let told = |f: &Inadmissible| {
+                let valley =
+                    if f.rule == Rule::Slope { say("refused.no_valley", &[]) } else { String::new() };
+                say("refused.next", &[("why", &format!("{}{valley}", inadmissible(problem, next, f)))])
+            };
             faults.iter().map(told).collect()
         }
         one => vec![refused(problem, scene, one)],
@@ -381,7 +390,12 @@ fn in_unit(problem: &Problem, scene: &Scene, value: f64) -> String {
 /// Why an integral over a motion has no value.
 fn unsettled(scene: &Scene, Unsettled { value, gap }: &Unsettled) -> String {
     let spring = if scene.struts.is_empty() { String::new() } else { say("unsettled.spring", &[]) };
-    let name = if value.is_finite() && gap.is_finite() { "unsettled.slow" } else { "unsettled.stops" };
+    let mut rough = scene.joints.iter().filter_map(|joint| joint.kind.mu_k()).peekable();
+    let name = match value.is_finite() && gap.is_finite() {
+        _ if rough.peek().is_some() && rough.all(|mu| mu == Num::Fixed(0.0)) => "unsettled.smooth",
+        true => "unsettled.slow",
+        false => "unsettled.stops",
+    };
     let (value, gap) = (format!("{value:e}"), format!("{gap:e}"));
     say(name, &[("value", &value), ("gap", &gap), ("spring", &spring)])
 }
@@ -474,7 +488,12 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
         Refusal::NoMethod { method } => say("refused.no_method", &[("method", &method.as_str())]),
         Refusal::Unsettled(why) => unsettled(scene, why),
         Refusal::Disagree { label, eom, energy, allowed } => {
-            let name = if *allowed < 1.0 { "refused.disagree" } else { "refused.last_digits" };
+            let cord = |j: &Joint| matches!(j.kind, JointKind::Cord { .. });
+            let name = match *allowed < 1.0 {
+                _ if (eom + energy).is_nan() && scene.joints.iter().any(cord) => "refused.no_length",
+                true => "refused.disagree",
+                false => "refused.last_digits",
+            };
             let (eom, energy, allowed) = (power(eom), power(energy), format!("{allowed:.1e}"));
             let label = scene.name_of(*label);
             say(name, &[("label", &label), ("eom", &eom), ("energy", &energy), ("allowed", &allowed)])
@@ -521,13 +540,24 @@ fn misplaced(scene: &Scene, refusal: &Refusal) -> String {
     match refusal {
         Refusal::Unplaced(index) => {
             let open = matches!(scene.planar(*index), Some(Planar { start_deg: None, .. }));
+            let placed = scene.planar(*index).is_some_and(|planar| planar.origin_m.is_some());
+            let turns = scene.bodies[*index].turns;
             let name = match scene.is_still() && scene.starts_from_rest() {
-                true if open && scene.bodies[*index].turns => "turns",
+                true if placed => "placed",
+                true if open && turns => "turns",
                 true => "at_once",
                 false if hangs_at_its_pulley(scene, *index) => "at_its_pulley",
                 false => "on_the_way",
             };
-            say(&format!("refused.unplaced.{name}"), &[("body", &id(scene, *index))])
+            let wheels = |is: fn(&JointKind) -> bool| scene.joints.iter().filter(|j| is(&j.kind)).count();
+            let rule = match turns {
+                false => "slides",
+                true if wheels(|kind| kind.rolls()[1]) > 0 => "meshes",
+                true if wheels(|kind| kind.rolls()[0]) > 1 => "rolls",
+                true => "turns",
+            };
+            let rule = say(&format!("refused.unplaced.rule.{rule}"), &[]);
+            say(&format!("refused.unplaced.{name}"), &[("body", &id(scene, *index)), ("rule", &rule)])
         }
         Refusal::IdleSide { body, with: None } => say("refused.idle_side", &[("body", &id(scene, *body))]),
         Refusal::IdleSide { body, with: Some(with) } => {

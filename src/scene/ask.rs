@@ -140,7 +140,7 @@ quantities! {
     VY "v_y" "m/s" Signed "velocity of the mass centre up at the end";
     AX "a_x" "m/s^2" Signed "acceleration of the mass centre to the right at the end";
     AY "a_y" "m/s^2" Signed "acceleration of the mass centre up at the end";
-    Direction "direction" "" Word "up or down (forward or back on a level)";
+    Direction "direction" "" Word "up or down (forward or back on level ground)";
     Rolls "rolls" "" Word "yes if it could roll without slipping, else no";
 }
 

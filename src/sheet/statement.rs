@@ -13,10 +13,11 @@ use crate::bank::decimal::Decimal;
 use crate::bank::{Bank, Datum, Problem, Question, expression};
 use crate::figure::names;
 use crate::finding::{Finding, Findings};
+use crate::num::formula::Step;
 use crate::num::{elliptic, shown};
 use crate::problem::make_key;
 use crate::problem::maker::Variant;
-use crate::scene::{JointKind, Label, Num, Owner, Quantity, Ray, Scene, Span, Start};
+use crate::scene::{End, JointKind, Label, Num, Owner, Quantity, Ray, Scene, Span, Start, Term};
 use crate::sheet::document;
 use crate::template::{self, Templates, View};
 use crate::words::Words;
@@ -432,6 +433,12 @@ fn form(
         Quantity::PinAngle if angle => Some("sheet.from_the_right"),
         Quantity::PinRadial => Some("sheet.toward_pin"),
         Quantity::PinTangential => Some("sheet.with_angle"),
+        Quantity::Work
+        | Quantity::WorkPull
+        | Quantity::WorkCouple
+        | Quantity::PowerPull
+        | Quantity::PowerCouple => Some("sheet.adds_energy"),
+        Quantity::Value => is_signed(scene, q.label).then_some("sheet.either_sign"),
         _ => scene.may_push(q.label).then_some("sheet.pulls"),
     };
     if let (Quantity::Angle, Owner::Body(b)) = (q.label.quantity, q.label.of)
@@ -449,14 +456,23 @@ fn form(
         let zero = words.get(&format!("sheet.angle_zero.{zero}"));
         add(&words
             .say("sheet.angle_from", &[("sense", words.get(&format!("sheet.{sense}"))), ("zero", zero)]));
+        // What swings turns back before.
+        if !matches!(scene.end, End::TurningPoint(_)) || scene.spins_in_place() {
+            add(words.get("sheet.whole_turns"));
+        }
     }
     // The other body feels the opposite.
-    let hinge = match q.label.of {
+    let joint = match q.label.of {
         Owner::Joint(j) => scene.joints.get(j).map(|joint| joint.kind),
         _ => None,
     };
-    if let (Some(JointKind::Hinge { one, .. }), false) = (hinge, scene.is_magnitude(q.label)) {
-        add(&words.say("sheet.acts_on", &[("body", &names::body_within(words, scene, one.body))]));
+    let on = match joint {
+        Some(JointKind::Hinge { one, .. }) => Some(one),
+        Some(kind) if kind.bearer().is_some() => kind.spots().next(),
+        _ => None,
+    };
+    if let Some(on) = on.filter(|_| !scene.is_magnitude(q.label)) {
+        add(&words.say("sheet.acts_on", &[("body", &names::body_within(words, scene, on.body))]));
     }
     // Once is enough.
     let unsaid = |phrase: &&str| !q.ask.contains(words.get(phrase));
@@ -473,6 +489,29 @@ fn form(
         add(words.get("sheet.with_unit"));
     }
     text
+}
+
+/// Has what a formula asks a sign? One of magnitudes alone has none that need be told, nor a root or a square.
+fn is_signed(scene: &Scene, label: Label) -> bool {
+    let Owner::Asked(i) = label.of else { return false };
+    let Some(asked) = scene.formulas.asked.get(i) else { return false };
+    let positive = |step: &Step<Term>| match step {
+        Step::Sqrt | Step::Abs => true,
+        Step::Power(n) => n % 2 == 0,
+        _ => false,
+    };
+    let signed = |of: &Scene, label: Label| {
+        let cord = label.quantity == Quantity::Tension && !of.may_push(label);
+        !of.is_magnitude(label) && !cord
+    };
+    !asked.formula.steps().last().is_some_and(positive)
+        && asked.formula.names().any(|term| match term {
+            Term::Given(_) => false,
+            Term::Said(label) => signed(scene, label),
+            Term::Other(other, label) => {
+                scene.formulas.others.get(other).is_some_and(|(_, of)| signed(of, label))
+            }
+        })
 }
 
 /// Which part of the motion counts: for the way and the turn of what may come back, and for an extremum where the forces change on the way so that it

@@ -610,16 +610,12 @@ pub fn holds_still(scene: &Scene, slides: &[f64], now: &[f64]) -> Result<(), Ref
         joint.kind.mu_k().is_some() && (wheel || joint.kind.carrier().is_some())
     };
     let goes_on = slides.iter().zip(now).any(|(before, now)| before * now > 0.0);
-    let rubs = |joint: &Joint| joint.kind.mu_k().is_some();
-    match scene
-        .joints
-        .iter()
-        .position(carried)
-        .or_else(|| scene.joints.iter().position(rubs).filter(|_| goes_on))
-    {
-        Some(joint) => Err(Refusal::Friction(joint, Lacks::Sliding)),
-        None => Ok(()),
-    }
+    let held = |joint: &Joint| carried(joint) || joint.kind.mu_k().is_some() && goes_on;
+    let turned = |joint: &usize| slides[*joint] * now[*joint] < 0.0;
+    let mut held = (0..scene.joints.len()).filter(|joint| held(&scene.joints[*joint]));
+    // The one whose sliding turned about, if it is among them.
+    let first = held.clone().find(turned).or_else(|| held.next());
+    first.map_or(Ok(()), |joint| Err(Refusal::Friction(joint, Lacks::Sliding)))
 }
 
 /// Friction has a sense only where a point slides. Errors: one that rubs is at rest in its guide.

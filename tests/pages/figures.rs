@@ -32,12 +32,12 @@ fn textbook() -> Vec<Bank> {
     files.iter().map(read).collect()
 }
 
-fn all_text(picture: &Picture) -> String {
+pub fn all_text(picture: &Picture) -> String {
     picture.labels.iter().map(|l| symbol::plain(&l.runs) + "\n").collect()
 }
 
 /// Corners of an outline, enough of them to know where it is.
-fn corners(outline: &Outline) -> Vec<Vec2> {
+pub fn corners(outline: &Outline) -> Vec<Vec2> {
     match outline {
         Outline::Lines { points, .. } => points.clone(),
         Outline::Circle { centre, radius: r } => vec![*centre - vec2(*r, *r), *centre + vec2(*r, *r)],
@@ -529,7 +529,7 @@ fn goldens_are_as_they_were() {
 }
 
 /// One scene of the odd banks or of the built-in ones, with other text.
-fn first_picture(yaml: &str) -> Picture {
+pub fn first_picture(yaml: &str) -> Picture {
     let bank = load::scenes_only(yaml, "one").unwrap_or_else(|f| panic!("{f:?}"));
     let variant = Maker::new(&bank.problems[0], 1, "figures").variant("1").expect("satisfiable");
     let words = Words::of("en").expect("built in");

@@ -19,6 +19,7 @@ mod gallery;
 #[path = "../physics/joined_lot.rs"]
 #[allow(dead_code, reason = "the judge of another program reads more of a mechanism")]
 mod joined_lot;
+mod looks;
 #[path = "../physics/composed.rs"]
 #[allow(dead_code, reason = "the judge of another program reads more of a scene")]
 mod lot;

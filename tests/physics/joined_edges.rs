@@ -1040,3 +1040,49 @@ end: {{angle: {{of: ladder, reaches: 59 deg}}}}
     let [here, there] = [0.0, 50.0].map(|high| free(&ladder(high), "ladder.rise"));
     assert!(there < 1.5 * here, "{there} against {here}");
 }
+
+/// A rod that hangs by a hinge on the axle of a wheel that rolls, which needs no angle: with `M' = 3/2 M + m` in its way the rod has
+/// `alpha (L^2/3 - m L^2/4 sin^2/M') = -g L/2 cos`, and the wheel `a = m L/2 sin alpha/M'`.
+#[test]
+fn a_rod_hangs_on_the_axle_of_a_wheel_without_an_angle() {
+    for (degrees, x) in [(0.0, 0.0), (50.0, 1.3), (-120.0, -0.4)] {
+        let scene = format!(
+            "
+bodies:
+  wheel: {{mass: 8 kg, shape: {{disc: 0.5 m}}, moves: in the plane, placed: [{x} m, 0.5 m]}}
+  rod: {{mass: 3 kg, shape: {{rod: 1.2 m}}, moves: in the plane, angle: from right}}
+joints:
+  floor: {{rolls: wheel, radius: 0.5 m, along: horizontal}}
+  O: {{hinges: [wheel, rod.A]}}
+start: {{rod: {{angle: {degrees} deg}}}}
+end: at once
+"
+        );
+        let (m, l, inert) = (3.0, 1.2, 1.5 * 8.0 + 3.0);
+        let (sine, cosine) = f64::to_radians(degrees).sin_cos();
+        let alpha = -9.81 * l / 2.0 * cosine / (l * l / 3.0 - m * l * l / 4.0 * sine * sine / inert);
+        let a = m * l / 2.0 * sine * alpha / inert;
+        all_near(&told(&scene, &["rod.alpha", "wheel.a_x", "wheel.a_y"]), &[alpha, a, 0.0], 1e-12);
+    }
+}
+
+/// At rest in equilibrium a compound pendulum has its moments of inertia, too, and its period goes with them.
+#[test]
+fn moments_of_inertia_are_told_in_equilibrium() {
+    let scene = "
+bodies:
+  rod: {mass: 1 kg, shape: {rod: 0.8 m}, moves: in the plane, angle: from hanging}
+  disc: {mass: 2 kg, shape: {disc: 0.1 m}, moves: in the plane}
+joints:
+  O: {pins: rod.A}
+  W: {welds: [rod.B, disc.A]}
+start: {rod: {angle: 5 deg}}
+end: equilibrium
+";
+    let about_pin = 0.8f64.powi(2) / 3.0 + 2.0 * (0.1f64.powi(2) / 2.0 + 0.8f64.powi(2));
+    let low = (0.4 + 2.0 * 0.8) / 3.0;
+    let period = 2.0 * std::f64::consts::PI * (about_pin / (3.0 * 9.81 * low)).sqrt();
+    let about_centre = about_pin - 3.0 * low * low;
+    let found = told(scene, &["I_O", "I_G", "x_G", "y_G", "period_small"]);
+    all_near(&found, &[about_pin, about_centre, 0.0, -low, period], 1e-12);
+}

@@ -3,8 +3,8 @@ use crate::bank::need::Need;
 use crate::bank::node::{Fields, Node, Value, named, shorten};
 use crate::bank::scene::{SceneReader, plain_name};
 use crate::scene::{
-    Acts, Arrives, Body, Branch, Joint, JointKind, Num, Place, Planar, Push, Ray, Rest, Spot, Straight,
-    Strut, StrutEnd, Surface, on_axis,
+    Acts, Arrives, Body, Branch, Joint, JointKind, Num, Place, Planar, Push, Ray, Rest, RotaryInertia, Shape,
+    Spot, Straight, Strut, StrutEnd, Surface, on_axis,
 };
 use crate::units::spell;
 
@@ -121,7 +121,10 @@ impl SceneReader<'_> {
             let planar = bodies[body].planar.as_ref()?;
             match point {
                 Some(point) => planar.points.iter().position(|(n, _)| n == point),
-                None => matches!(planar.points[..], [(_, ORIGIN)]).then_some(0),
+                // By its name alone a body is meant where its axis begins: at its only point, or at its middle.
+                None => planar.points.iter().position(|(_, at)| {
+                    *at == ORIGIN && (planar.points.len() == 1 || planar.centre == ORIGIN[0])
+                }),
             }
             .map(|point| Spot { body, point })
         });
@@ -284,6 +287,11 @@ impl SceneReader<'_> {
                 "what rolls on a cylinder that turns is not solved",
                 "leave `on:` out where the cylinder stays; wheels about fixed axles turn one another by `meshes` or `belt`",
             ),
+            (None, None, None) if on.is_some_and(|n| self.is_round(n, bodies)) => f.refuse_with(
+                on.unwrap_or(node),
+                "`on:` alone means a straight line that this body carries along its axis, and it is round",
+                "tell the line by `along: 0 deg`; wheels about fixed axles turn one another by `meshes` or `belt`, two that both turn while an arm carries one of them are not solved",
+            ),
             (None, None, _) if on.or(along).is_some() => self.straight((on, along), fields, bodies).map(Surface::Line),
             _ => f.refuse_with(
                 node,
@@ -298,6 +306,14 @@ impl SceneReader<'_> {
             }
             _ => Some(JointKind::Contact { at, radius_m, surface, rolls, mu_k, teeth }),
         }
+    }
+
+    /// Has the body of this point a round shape?
+    fn is_round(&self, node: &Node, bodies: &[Body]) -> bool {
+        let name = node.text().unwrap_or("").trim().split('.').next();
+        let round =
+            |b: &Body| matches!(b.inertia, Some(RotaryInertia::Shape(shape, _)) if shape != Shape::Rod);
+        bodies.iter().any(|b| Some(b.name.as_str()) == name && round(b))
     }
 
     /// A straight line: fixed in space, or in a body through one of its points, with its direction from the axis of that.

@@ -5,7 +5,7 @@ use crate::scene::pose::{
     Arc, Guided, Held, Hung, Known, Layout, Line, MET, Pose, Step, Steps, Track, axis, direction, dot,
     from_origin, ground, left, less, of_spot, off, parallel, plus, sense, times,
 };
-use crate::scene::{Branch, JointKind, Planar, Spot, Straight, Surface, pose};
+use crate::scene::{Branch, JointKind, Place, Planar, Spot, Straight, Surface, pose};
 use smallvec::SmallVec;
 
 /// Where a body lies by default, and the other side.
@@ -197,8 +197,11 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
         self.layout.scene.joints.iter().find_map(|joint| {
             let JointKind::Hinge { one, other, .. } = joint.kind else { return None };
             let (own, to) = if one.body == body { (one, other) } else { (other, one) };
-            let (origin, axis) = (self.placed(to.body)?, self.started(to.body)?);
-            (own.body == body).then(|| (self.spot(own), plus(origin, from_origin(axis, self.spot(to)))))
+            let (origin, at) = (self.placed(to.body)?, self.spot(to));
+            // Where it begins, its axis may have any direction.
+            let begins = self.planar(to.body)?.points[to.point].1 == [Place::default(); 2];
+            let off = if begins { at } else { from_origin(self.started(to.body)?, at) };
+            (own.body == body).then(|| (self.spot(own), plus(origin, off)))
         })
     }
 
