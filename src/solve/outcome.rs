@@ -773,20 +773,31 @@ pub struct Scope {
     pub quantities: Quantities,
     /// Contacts and cords over the motion, for judging whether the ties hold?
     pub held: bool,
+    /// Is it taken for granted that it sets off and gets to its end, where an enclosure leaves that open? What is told is then true if
+    /// it does.
+    pub granted: bool,
 }
 
 impl Scope {
     /// All that it can say.
-    pub const ALL: Self = Self { quantities: Quantities::ALL, held: true };
+    pub const ALL: Self = Self { quantities: Quantities::ALL, held: true, granted: false };
     /// These quantities alone.
     pub fn only(quantities: impl IntoIterator<Item = Quantity>) -> Self {
-        Self { quantities: quantities.into_iter().collect(), held: false }
+        Self { quantities: quantities.into_iter().collect(), held: false, granted: false }
     }
     /// All but the time: of joined bodies it is a quadrature of its own, and no other answer hangs on it.
-    pub const TIMELESS: Self = Self { quantities: Quantities::ALL.without(Quantity::T), held: true };
+    pub const TIMELESS: Self = Self { quantities: Quantities::ALL.without(Quantity::T), ..Self::ALL };
+    /// The same, taking for granted that it sets off and gets there.
+    pub const fn granting(self) -> Self {
+        Self { granted: true, ..self }
+    }
     /// What is asked by either.
     pub const fn with(self, other: Self) -> Self {
-        Self { quantities: self.quantities.with(other.quantities), held: self.held || other.held }
+        Self {
+            quantities: self.quantities.with(other.quantities),
+            held: self.held || other.held,
+            granted: self.granted || other.granted,
+        }
     }
     /// Is one of these quantities asked?
     pub fn any(self, quantities: &[Quantity]) -> bool {

@@ -20,7 +20,7 @@ use crate::num::linear::{Factors, Linear};
 use crate::num::plant::plant;
 use crate::num::root;
 use crate::scene::pose::{self, Layout, Obstacle};
-use crate::scene::{Acts, Degree, JointKind, Numbers, Rest, Scene, Spot, Strut, StrutEnd, Surface};
+use crate::scene::{Acts, Coordinate, Degree, JointKind, Numbers, Rest, Scene, Spot, Strut, StrutEnd, Surface};
 use crate::solve::outcome::{self, Refusal};
 use smallvec::{SmallVec, smallvec};
 use std::cell::RefCell;
@@ -31,6 +31,9 @@ pub const LOOKED_THROUGH: bool = cfg!(feature = "program");
 
 /// A point that is farther below a surface than this share of the size of everything has passed through it.
 const PIERCED: f64 = 1e-9;
+
+/// A speed that is told may be off by this share from what the joints make of the others: printed data round it.
+const LOOSE: f64 = 1e-12;
 
 /// Right-hand side of the forces.
 pub const CONSTANT: usize = 0;
@@ -408,6 +411,59 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let mut state = State { poses, rates, rows, leads, kinematics: Factors::none(), determined: false };
         self.look(&mut state, moving).map_err(self.in_place(way))?;
         Ok(state)
+    }
+
+    /// How everything moves at the start by the speeds that are told of several freedoms, and the rate in units of which that is: the
+    /// fastest turn.
+    ///
+    /// Errors: speeds that leave one open, or that the joints contradict.
+    pub fn told(&self) -> Result<(State<T>, T), Refusal> {
+        let mut state = self.state(T::zero(), false)?;
+        let (columns, zero) = (self.columns, T::zero());
+        let mut equations = Equations::new(columns);
+        let mut add = |row: &Row<T>, speed: T| {
+            let cells = equations.row();
+            self.speeds(row, |at, x| cells[at] = cells[at] + x);
+            cells[columns] = speed;
+            equations.clone().reduce(&[])
+        };
+        for row in &state.rows {
+            add(row, zero);
+        }
+        for (of, number) in self.scene.start_speeds() {
+            let end = |along, lever, radius| End { body: of.body, along, lever, radius, rim: zero };
+            let (one, other) = match of.degree {
+                Degree::Turn => (end([zero; 2], [zero; 2], T::of(self.sense(of.body))), None),
+                Degree::Along => {
+                    let (joint, at) = self.scene.guide_of(of.body).ok_or(Refusal::Open(of))?;
+                    let along = self.layout.told_along(joint, &state.poses);
+                    self.against(joint, &state.poses, end(along, self.lever(&state.poses, at), zero))
+                }
+            };
+            let given = self.n.get(number);
+            let reduced = add(&Row::new(0, one, other, zero), given);
+            if LOOKED_THROUGH && !reduced.repeats() {
+                let (given, lacks) = (given.f64(), reduced.lacks().f64());
+                if lacks.abs() > LOOSE * given.abs() {
+                    return Err(Refusal::Contradiction { of, given, follows: given - lacks });
+                }
+            }
+        }
+        let reduced = equations.reduce(&[]);
+        let mut speeds: SmallVec<[T; 12]> = SmallVec::new();
+        for at in 0..columns {
+            let body = self.first.iter().rposition(|first| *first <= at).unwrap_or(0);
+            let degree = if at == self.first[body] + 2 { Degree::Turn } else { Degree::Along };
+            speeds.push(reduced.value(at).ok_or(Refusal::Open(Coordinate { body, degree }))?);
+        }
+        self.per_body(&speeds, &mut state.rates);
+        let size = self.size();
+        let turns = state.rates.iter().map(|[x, y, turn]| turn.size().max(x.size().max(y.size()) / size));
+        let fastest = T::of(turns.filter(|turn| turn.is_finite()).fold(0.0, f64::max));
+        if !fastest.is_zero() {
+            state.rates.iter_mut().flatten().for_each(|rate| *rate = *rate / fastest);
+        }
+        Ok((state, fastest))
     }
 
     /// Do the bodies lie as the joints and the data say?
