@@ -53,7 +53,8 @@ fn unproved(scene: &Scene, label: Label) -> Option<&'static str> {
         Owner::Asked(i) => scene.formulas.asked.get(i),
         _ => None,
     };
-    let timed = label.quantity == Quantity::T || formula.is_some_and(|asked| asked.formula.names().any(of_time));
+    let timed =
+        label.quantity == Quantity::T || formula.is_some_and(|asked| asked.formula.names().any(of_time));
     let swings = scene.pinned().is_some() && scene.couples.is_empty() && scene.struts.is_empty();
     let rough = scene.joints.iter().any(|joint| joint.kind.rubs().is_some());
     rough.then_some("after friction on the way").or((timed && !swings).then_some("from a time"))
@@ -91,7 +92,11 @@ pub fn put(
     };
     if WHOLE && let Some(why) = unproved(scene, label) {
         let hint = "measure a speed where nothing rubs on the way, or look at an instant: `end: at once`; or give this datum and ask for what was measured";
-        faults.hint(node, told!("that only one value of `{}` gives `{name}` cannot be proved {why}", data[i].symbol), hint);
+        faults.hint(
+            node,
+            told!("that only one value of `{}` gives `{name}` cannot be proved {why}", data[i].symbol),
+            hint,
+        );
         return Vec::new();
     }
     let symbol = &data[i].symbol;

@@ -286,6 +286,11 @@ impl PlaneLayout {
         let this = &view.scene.bodies[body];
         let Some(planar) = &this.planar else { return };
         let Laid { origin, axis } = laid[body];
+        if this.removed && role == Role::Body {
+            // What is taken away shows the paper, with an edge.
+            self.outline(board, view, laid, body, Role::Paper);
+            return self.outline(board, view, laid, body, Role::Inner);
+        }
         if !this.turns {
             if let Some(corners) = self.top(view, laid, body) {
                 return board.lines(&corners, true, role);
@@ -498,7 +503,7 @@ pub fn draw(board: &mut Board, view: &SceneView) {
     }
     // What moves in a slot lies above it.
     let mut order: Vec<usize> = (0..view.scene.bodies.len()).collect();
-    order.sort_by_key(|b| !is_slotted(view, *b));
+    order.sort_by_key(|b| (!is_slotted(view, *b), view.scene.bodies[*b].removed));
     for b in order {
         plane.outline(board, view, &plane.start, b, Role::Body);
         rails(board, Some(b));
@@ -1239,7 +1244,11 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
     let teller = Teller { view };
     let say = |name: &str, pieces: &[(&str, &str)]| teller.say(name, pieces);
     for (b, body) in view.scene.bodies.iter().enumerate() {
-        let name = if view.scene.lies_level() { "flat_body" } else { "body" };
+        let name = match view.scene.lies_level() {
+            _ if body.removed => "removed",
+            true => "flat_body",
+            false => "body",
+        };
         out.push(say(name, &[("body", &say::named(view, body))]));
         say::couples(view, b, out);
         for (degree, num) in view.started(b) {

@@ -408,6 +408,7 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
             say(&format!("refused.freedoms.{name}"), &[("n", n)])
         }
         Refusal::Unplaced(_)
+        | Refusal::Hollow(_)
         | Refusal::IdleSide { .. }
         | Refusal::Unbridged { .. }
         | Refusal::Tilted { .. }
@@ -529,6 +530,7 @@ fn misplaced(scene: &Scene, refusal: &Refusal) -> String {
             };
             say(&format!("refused.unplaced.{name}"), &[("body", &id(scene, *index))])
         }
+        Refusal::Hollow(body) => say("refused.hollow", &[("body", &id(scene, *body))]),
         Refusal::IdleSide { body, with: None } => say("refused.idle_side", &[("body", &id(scene, *body))]),
         Refusal::IdleSide { body, with: Some(with) } => {
             say("refused.other_side", &[("body", &id(scene, *body)), ("with", &id(scene, *with))])

@@ -214,7 +214,6 @@ impl<T: Real> Reduced<T> {
         (0..self.equations.sizes.len()).all(|i| self.pivot.contains(&Some(i)) || self.right(i).is_zero())
     }
     /// What the right-hand side of the last equation is more than the others say, where it says nothing of its own.
-    #[cfg(feature = "program")]
     pub fn lacks(&self) -> T {
         self.right(self.equations.sizes.len() - 1)
     }

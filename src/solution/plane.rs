@@ -313,6 +313,12 @@ impl<'d, 'a> Plane<'d, 'a> {
         if draft.scene.arrivals().next().is_some() {
             return Err(Beyond::Impact.into());
         }
+        if draft.scene.bodies.iter().any(|body| body.removed) {
+            return Err(Beyond::Removed.into());
+        }
+        if draft.scene.tells_speeds() {
+            return Err(Beyond::Speeds.into());
+        }
         if carriers.into_iter().any(|on| draft.scene.bodies[on.body].turns)
             || draft.scene.joints.iter().any(|joint| leads_on(joint) || joint.kind.drum().is_some())
         {

@@ -59,6 +59,10 @@ pub enum Beyond {
     Mechanism,
     /// A wheel that turns on the spot while it rubs: forces stay as they are, and it is not said in closed form.
     Rubbing,
+    /// A part that is taken away.
+    Removed,
+    /// An instant of several freedoms that have speeds.
+    Speeds,
     /// What a motion that follows takes over.
     Next,
     /// A motion in phases, in which contacts come to rest one after the other.
@@ -88,6 +92,8 @@ impl Beyond {
             Self::Impact => ("impact", None),
             Self::Mechanism => ("mechanism", None),
             Self::Rubbing => ("rubbing", None),
+            Self::Removed => ("removed", None),
+            Self::Speeds => ("speeds", None),
             Self::Next => ("next", None),
             Self::Phases => ("phases", None),
             Self::Slack => ("slack", None),
@@ -114,6 +120,8 @@ mod tests {
                 Beyond::Impact,
                 Beyond::Mechanism,
                 Beyond::Rubbing,
+                Beyond::Removed,
+                Beyond::Speeds,
                 Beyond::Next,
                 Beyond::Phases,
                 Beyond::Slack,

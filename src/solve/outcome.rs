@@ -359,6 +359,8 @@ pub enum Refusal {
         /// The other one, if there is one.
         with: Option<usize>,
     },
+    /// More is taken away from this body than there is of it.
+    Hollow(usize),
     /// A body does not bridge what holds it.
     Unbridged {
         /// Which, and how far.
