@@ -97,7 +97,7 @@ pub fn put(
             told!("that only one value of `{}` gives `{name}` cannot be proved {why}", data[i].symbol),
             hint,
         );
-        return Vec::new();
+        return vec![DatumUse { datum: at, need: *Need::TERM }];
     }
     let symbol = &data[i].symbol;
     let (own, wanted) = (measure::powers(&data[at].unit), measure::own_powers(scene.unit(label)));

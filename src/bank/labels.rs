@@ -292,7 +292,7 @@ fn joined(scene: &Scene, all: &mut Gathered) {
         }
     }
     all.add(moves, Owner::Scene, &[Q::T]);
-    all.add(forces && !still && scene.only_pin().is_some(), Owner::Scene, &[Q::IO, Q::IG, Q::XG, Q::YG]);
+    all.add(forces && scene.only_pin().is_some(), Owner::Scene, &[Q::IO, Q::IG, Q::XG, Q::YG]);
     if let Some(lead) = scene.lead() {
         all.add(moves, Owner::Body(lead), &[Q::Phi]);
         all.add(scene.ends_at_an_angle().is_some(), Owner::Body(lead), &[Q::Angle]);

@@ -522,7 +522,7 @@ fn misplaced(scene: &Scene, refusal: &Refusal) -> String {
     match refusal {
         Refusal::Unplaced(index) => {
             let open = matches!(scene.planar(*index), Some(Planar { start_deg: None, .. }));
-            let name = match scene.is_still() && scene.starts_from_rest() {
+            let name = match scene.is_still() && (scene.starts_from_rest() || scene.tells_speeds()) {
                 true if open && scene.bodies[*index].turns => "turns",
                 true => "at_once",
                 false if hangs_at_its_pulley(scene, *index) => "at_its_pulley",

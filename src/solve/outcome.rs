@@ -582,7 +582,7 @@ pub fn unplaced(scene: &Scene, body: usize) -> Refusal {
     if !cfg!(feature = "program") {
         return Refusal::Unplaced(body);
     }
-    if scene.is_still() && scene.starts_from_rest() {
+    if scene.is_still() && (scene.starts_from_rest() || scene.tells_speeds()) {
         return Refusal::Unplaced(body);
     }
     let free: usize = scene.bodies.iter().map(|b| if b.turns { 3 } else { 2 }).sum();

@@ -387,7 +387,7 @@ fn a_plate_with_two_holes_at_an_instant() {
         format!(
             "
 bodies:
-  plate: {{mass: 8 kg, moment of inertia: 0.6 kg*m^2, moves: in the plane, angle: from right, mass centre: 0 m, placed: [0 m, 0 m], points: {{P: [-0.3 m, 0.2 m], U: [0.2 m, 0.1 m], V: [-0.1 m, -0.15 m]}}}}
+  plate: {{mass: 8 kg, moment of inertia: 0.6 kg*m^2, moves: in the plane, angle: from right, mass centre: 0 m, points: {{P: [-0.3 m, 0.2 m], U: [0.2 m, 0.1 m], V: [-0.1 m, -0.15 m]}}}}
   round: {{mass removed: {first}, shape: {{disc: 0.05 m}}, moves: in the plane}}
   square: {{mass removed: 0.4 kg, moment of inertia: 0.001 kg*m^2, moves: in the plane}}
 joints:

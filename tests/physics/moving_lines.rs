@@ -460,24 +460,25 @@ fn a_bead_that_slides_on_an_arm_that_turns_freely() {
             r * c,
             r * s
         );
-        let pushes = if reversed { ", along: 0 deg, pushes: right" } else { "" };
-        let joints = format!("        O: {{pins: arm.A}}\n        wire: {{guides: bead, on: arm.A{pushes}}}");
+        let line = if reversed { ", along: 180 deg" } else { "" };
+        let outward = if reversed { -along } else { along };
+        let joints = format!("        O: {{pins: arm.A}}\n        wire: {{guides: bead, on: arm.A{line}}}");
         let more = format!(
             "      start: {{arm: {{angle: {degrees} deg, spin: {spin} rad/s}}, bead: {{speed: {along} m/s}}}}"
         );
         let names = ["arm.alpha", "bead.a_x", "bead.a_y", "bead.v_x", "bead.v_y"];
         let found = told(&bodies, &joints, &more, names);
         let weights = -(big * length / 2.0 + m * r) * G * c;
-        let alpha = (weights - 2.0 * m * r * along * spin) / (big * length * length / 3.0 + m * r * r);
-        let across = r * alpha + 2.0 * along * spin;
+        let alpha = (weights - 2.0 * m * r * outward * spin) / (big * length * length / 3.0 + m * r * r);
+        let across = r * alpha + 2.0 * outward * spin;
         // Outward nothing holds it: r'' - r w^2 is what the weight has along the arm.
-        let outward = -G * s;
+        let freely = -G * s;
         let by_hand = [
             alpha,
-            outward * c - across * s,
-            outward * s + across * c,
-            along * c - r * spin * s,
-            along * s + r * spin * c,
+            freely * c - across * s,
+            freely * s + across * c,
+            outward * c - r * spin * s,
+            outward * s + r * spin * c,
         ];
         near(found, by_hand);
     }

@@ -135,6 +135,7 @@ impl<T: Real> Account<'_, T> {
             self.say(road, Quantity::Rise, Owner::Body(b), risen);
         }
         let still = |_: usize, _: T| [T::zero(); 2];
+        self.tell_whole(&poses, road);
         self.tell_forces(&poses, &still, road);
         Ok(())
     }

@@ -141,6 +141,7 @@ impl<T: Real> Teller<'_, '_, T> {
         for b in 0..scene.bodies.len() {
             self.tell_risen(b, mechanism.height(&first, b), mechanism.height(&state, b));
         }
+        self.tell_whole(&state);
         self.tell_forces(&state, &response, T::zero(), smooth);
         self.watch(&response, T::zero());
         Ok(())
