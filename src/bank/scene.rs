@@ -267,6 +267,9 @@ impl SceneReader<'_> {
     /// Kinetic and static coefficients of contacts that may roll or slip, and roll here: their tie has no kinetic one. Masses that are taken
     /// away, and those from which they are.
     fn below(&self, ties: &[Tie], bodies: &[Body], joints: &[Joint]) -> Vec<(Num, Num)> {
+        if !WHOLE {
+            return Vec::new();
+        }
         let rolls = |(tie, mu_k): &(usize, Num)| match ties.get(*tie) {
             Some(Tie::Roll { mu_s: Some(mu_s), .. }) => Some((*mu_k, *mu_s)),
             _ => None,
@@ -280,7 +283,7 @@ impl SceneReader<'_> {
                 _ => None,
             }
         });
-        self.met.borrow().touches.iter().filter_map(rolls).chain(holes).filter(|_| WHOLE).collect()
+        self.met.borrow().touches.iter().filter_map(rolls).chain(holes).collect()
     }
 
     /// Mass or weight of a body or of a part, if one of them is given.

@@ -13,7 +13,7 @@ pub struct Equations<T: Real> {
     /// For each row: sum of the magnitudes of the terms of its right-hand side, where it was told.
     sizes: SmallVec<[Option<f64>; 8]>,
     /// Pairs of rows that have the same coefficients in these columns. See [`Equations::alike`].
-    alike: Vec<(usize, usize, SmallVec<[usize; 4]>)>,
+    alike: Vec<(usize, usize, [usize; 4])>,
 }
 
 /// Equations in reduced form.
@@ -63,7 +63,7 @@ impl<T: Real> Equations<T> {
 
     /// Tells that two rows have the very same numbers in these columns, such as the normal of two parallel guides: their difference has
     /// exactly 0 there, which enclosures of the numbers cannot tell.
-    pub fn alike(&mut self, row: usize, other: usize, columns: SmallVec<[usize; 4]>) {
+    pub fn alike(&mut self, row: usize, other: usize, columns: [usize; 4]) {
         self.alike.push((row, other, columns));
     }
 
@@ -82,11 +82,13 @@ impl<T: Real> Equations<T> {
         let mut pivot: SmallVec<[Option<usize>; 8]> = smallvec![None; cols];
         let mut used: SmallVec<[bool; 8]> = smallvec![false; rows];
         let mut base: SmallVec<[T; 9]> = SmallVec::new();
-        for (row, other, columns) in self.alike.drain(..).filter(|_| T::ENCLOSES) {
-            for k in 0..width {
-                let less = self.cells[row * width + k];
-                let cell = &mut self.cells[other * width + k];
-                *cell = if columns.contains(&k) { T::zero() } else { *cell - less };
+        if T::ENCLOSES {
+            for (row, other, columns) in &self.alike {
+                for k in 0..width {
+                    let less = self.cells[row * width + k];
+                    let cell = &mut self.cells[other * width + k];
+                    *cell = if columns.contains(&k) { T::zero() } else { *cell - less };
+                }
             }
         }
         // What an enclosure leaves open is reckoned with: it decides nothing, save as the last pivot that is left.

@@ -629,8 +629,8 @@ impl<'a, T: Real> Account<'a, T> {
             }
         }
         for (one, other, (body, on, _)) in parallel {
-            let bodies = std::iter::once(body).chain(on);
-            rows.alike(one, other, bodies.flat_map(|b| [3 * b, 3 * b + 1]).collect());
+            let [own, its] = [body, on.unwrap_or(body)].map(|b| 3 * b);
+            rows.alike(one, other, [own, own + 1, its, its + 1]);
         }
         (rows, of_joint)
     }
