@@ -583,3 +583,67 @@ fn a_speed_that_the_joints_contradict_is_refused() {
         other => panic!("{other:?}"),
     }
 }
+
+/// In a bowl of radius 0.9 m rolls a disc, and on its centre hangs a bar: a double pendulum, the first arm of which is as long as the way
+/// of the centre is bent, `rho = 0.7 m`, with half of the disc's mass more for its turn.
+#[test]
+fn a_bar_on_a_disc_that_rolls_in_a_bowl() {
+    let bodies = "        disc: {mass: 4 kg, shape: {disc: 0.2 m}, moves: in the plane, angle: from hanging}
+        bar: {mass: 3 kg, shape: {rod: 1 m}, moves: in the plane, angle: from hanging}";
+    let joints =
+        "        bowl: {rolls: disc, radius: 0.2 m, inside: 0.9 m}\n        H: {hinges: [disc.A, bar.A]}";
+    for (at, other, spin, w) in [(30.0, -20.0, 4.0, 2.5), (-50.0, 60.0, -3.0, 1.5)] {
+        let more = format!(
+            "      start: {{disc: {{angle: {at} deg, spin: {spin} rad/s}}, bar: {{angle: {other} deg, spin: {w} rad/s}}}}"
+        );
+        let found = told(bodies, joints, &more, ["disc.alpha", "bar.alpha", "bar.v_x"]);
+        let (rho, l, m, big) = (0.7, 0.5, 3.0, 4.0);
+        // It rolls back as its centre goes forth.
+        let rate = -spin * 0.2 / rho;
+        let (t, p) = (f64::to_radians(at), f64::to_radians(other));
+        let (c, s) = (libm::cos(t - p), libm::sin(t - p));
+        let (own, mixed, last) = ((1.5 * big + m) * rho * rho, m * rho * l, m / 3.0);
+        let right = [
+            -mixed * s * w * w - (big + m) * G * rho * libm::sin(t),
+            mixed * s * rate * rate - m * G * l * libm::sin(p),
+        ];
+        let det = own * last - mixed * mixed * c * c;
+        let along = (right[0] * last - right[1] * mixed * c) / det;
+        near(
+            found,
+            [
+                -along * rho / 0.2,
+                (own * right[1] - mixed * c * right[0]) / det,
+                rho * rate * libm::cos(t) + l * w * libm::cos(p),
+            ],
+        );
+    }
+}
+
+/// A trolley with a bar on it draws a load over a pulley: the cord grows by `v^2 sin^2/l` even where the trolley keeps its speed.
+#[test]
+fn a_trolley_with_a_bar_on_a_cord_that_turns() {
+    let bodies = "        trolley: {mass: 4 kg, moves: in the plane, placed: [0 m, 0 m]}
+        bar: {mass: 3 kg, shape: {rod: 1 m}, moves: in the plane, angle: from hanging}
+        load: {mass: 2 kg, moves: in the plane, placed: [1.2 m, -0.5 m]}";
+    let joints = "        rail: {guides: trolley, along: horizontal}
+        H: {hinges: [trolley.A, bar.A]}
+        rope: {ties: trolley.A, over: [1.2 m, 0.9 m], to: load}
+        shaft: {guides: load, along: vertical, through: [1.2 m, 0 m]}";
+    let (speed, spin, t) = (-1.5, 2.0, f64::to_radians(40.0));
+    let more = format!(
+        "      start: {{trolley: {{speed: {speed} m/s}}, bar: {{angle: 40 deg, spin: {spin} rad/s}}}}"
+    );
+    let found = told(bodies, joints, &more, ["trolley.a_x", "bar.alpha", "load.a_y", "load.v_y"]);
+    let (length, l) = (1.5, 0.5);
+    let (cosine, sine) = (1.2 / length, 0.9 / length);
+    let (s, c) = (libm::sin(t), libm::cos(t));
+    let bend = speed * speed * sine * sine / length;
+    // The load rises by what the cord grows: bend - a cos.
+    let pull = 2.0 * (G + bend) * cosine;
+    let (own, mixed, last) = (7.0 + 2.0 * cosine * cosine, 3.0 * l * c, 1.0);
+    let right = [pull + 3.0 * l * spin * spin * s, -3.0 * G * l * s];
+    let det = own * last - mixed * mixed;
+    let a = (right[0] * last - mixed * right[1]) / det;
+    near(found, [a, (own * right[1] - mixed * right[0]) / det, bend - a * cosine, -speed * cosine]);
+}
