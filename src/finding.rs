@@ -3,27 +3,6 @@ use std::ops::{Deref, DerefMut};
 use std::path::Path;
 use std::{fmt, slice, vec};
 
-/// What a finding says, as `format!` makes it. A page tells no finding about a bank, for nothing was found in the bank that its sheet
-/// was made from: there the text is not made.
-#[cfg(feature = "program")]
-macro_rules! told {
-    ($($text:tt)*) => { format!($($text)*) };
-}
-/// What a finding says; a page tells none about a bank.
-#[cfg(not(feature = "program"))]
-macro_rules! told {
-    ($($text:tt)*) => {{
-        let _untold = || format!($($text)*);
-        String::new()
-    }};
-}
-pub(crate) use told;
-
-/// A text of a table that only findings say, of which a page tells none.
-pub(crate) const fn only_told(text: &'static str) -> &'static str {
-    if cfg!(feature = "program") { text } else { "" }
-}
-
 /// Adds to a list what it does not hold yet.
 pub fn push_new<T: PartialEq>(list: &mut Vec<T>, item: T) {
     if !list.contains(&item) {

@@ -40,8 +40,8 @@
 //! other verb. [`units`] reads and converts units for all of them, [`csv_field`] writes a field of CSV that no spreadsheet runs.
 //!
 //! The feature `program` is the command line with all that it writes. Without it the crate is what a sheet needs that checks
-//! itself: [`page`] solves the scene of one sheet and judges its answers, [`tutor`] finds hints, and the package in
-//! `src/page/door` makes of both the WebAssembly that pages carry (`.ci/page`).
+//! itself: [`page`] gets its problems as they were read from the bank, solves them and judges their answers, [`tutor`] finds hints, and
+//! the package in `src/page/door` makes of both the WebAssembly that pages carry (`.ci/page`).
 //!
 //! # Two ways through the house
 //! From a datum of a bank to the key: `bank/schema.rs` reads it, its range with `bank/draw.rs` and its use with `bank/scene.rs`;
@@ -117,7 +117,7 @@
 //! `solve/eom/planar.rs` and its virtual motion in `solve/energy/joined.rs`, its words in `bank/scene/planar.rs`.
 //! A new law of a spring in the plane: [`scene::planar::Acts`] or [`scene::planar::StrutEnd`], its force in `solve/eom/planar.rs` and its
 //! work in `solve/energy/joined.rs`, its words in `bank/scene/planar.rs`.
-//! Another word for what can be said already: a rule in `bank/synonyms.rs`, which pages need not know.
+//! Another word for what can be said already: a rule in `bank/synonyms.rs`.
 //! A new number of a scene: its unit and its rules in [`scene::given`]. A new tie: a variant in [`scene::link`], its rows in `solve/eom/equations.rs`, its mode and its work in `solve/energy`, its
 //! words in `bank/scene/ties.rs`, its quantities in `bank/labels.rs`. A new end of a motion: a row in `bank/scene/end.rs`. A new language: its folder in `templates/`, a line in [`words`], its texts in [`template`] and `bank/built_in.rs`.
 //! A new format: a walk over the events of a [`sheet::document`], as in [`sheet::tex`]. A new family: no Rust, a file in `banks/`.

@@ -6,7 +6,6 @@
 //! `radius times turn`, with the inertia `I / radius^2`: where its inertia is that of a shape of this radius, and all that rolls
 //! or is wound on it has this radius too, the radius enters nothing but its turn.
 use crate::bank::node::{Faults, Node};
-use crate::finding::told;
 use crate::scene::{
     Degree, End, Label, Mass, Num, Owner, Quantity, RotaryInertia, Scene, Start, Term, given, scales,
 };
@@ -33,7 +32,7 @@ impl Cancels {
             Self::Mass(b) => ("mass", b),
             Self::Radius(b) => ("radius", b),
         };
-        told!("the {what} of `{}`", scene.bodies[body].name)
+        format!("the {what} of `{}`", scene.bodies[body].name)
     }
 }
 
@@ -68,7 +67,7 @@ fn proved(scene: &Scene, number: Num) -> Result<Cancels, String> {
         return Err("the body moves in the plane".to_owned());
     }
     if let Some((name, _)) = of.radii_m.iter().find(|(_, n)| *n != number) {
-        return Err(told!("the body has another radius, `{name}`"));
+        return Err(format!("the body has another radius, `{name}`"));
     }
     if scene.couples.iter().any(|c| c.body == body) {
         return Err("a couple acts on the body".to_owned());
@@ -144,15 +143,15 @@ pub fn review(scene: &Scene, numbers: &[AnyNumber], told: &[(Label, String, &Nod
         let cancels = match proved(scene, any.number) {
             Ok(cancels) => cancels,
             Err(why) => {
-                let message = told!("this does not cancel: {why}");
+                let message = format!("this does not cancel: {why}");
                 faults.hint(&any.node, message, "give it: a symbol of the data, or a constant");
                 continue;
             }
         };
         for (label, name, node) in told.iter().filter(|(label, ..)| depends(scene, *label, cancels)) {
             let of = cancels.named(scene);
-            let message = told!("`{name}` depends on {of}, which is `any`");
-            faults.hint(node, message, told!("give {of}, or leave `{}` out", scene.name_of(*label)));
+            let message = format!("`{name}` depends on {of}, which is `any`");
+            faults.hint(node, message, format!("give {of}, or leave `{}` out", scene.name_of(*label)));
         }
     }
 }

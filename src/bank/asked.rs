@@ -1,9 +1,8 @@
 //! Questions that no quantity answers as it stands: an expression (`value:`), or a quantity as if contacts were others (`if:`).
 use crate::bank::expression::{Exponents, Expression, Name};
-use crate::bank::node::{Faults, Node, WHOLE, choice, named, shorten, text};
+use crate::bank::node::{Faults, Node, choice, named, shorten, text};
 use crate::bank::scene::DatumUse;
 use crate::bank::{Datum, labels, measure, need::Need, soundness};
-use crate::finding::told;
 use crate::num::formula::{Formula, Step};
 use crate::scene::{AsIf, Asked, Given, Label, Owner, Quantity, Scene, Term, Tie};
 use crate::units::Unit;
@@ -36,9 +35,9 @@ pub fn put(questions: &Node, scene: &mut Scene, context: &AskedContext, faults: 
             continue;
         }
         // What an expression comes to may bear any name: the question's own goes before that of a quantity.
-        if WHOLE && node.field("value").is_none() && Quantity::from_name(id).is_some() {
+        if node.field("value").is_none() && Quantity::from_name(id).is_some() {
             let hint = "give it a name of its own, such as `largest`, and name the quantity by `quantity:`";
-            faults.hint(key, told!("`{id}` is a quantity itself; this question asks another thing"), hint);
+            faults.hint(key, format!("`{id}` is a quantity itself; this question asks another thing"), hint);
         }
         let asked = read(id, key, node, scene, context, faults).unwrap_or_else(|| nothing(id));
         all.extend(uses(&asked));
@@ -76,21 +75,19 @@ fn read(
     let spins_on = target.bodies.iter().zip(&scene.bodies).any(|(there, here)| there.turns != here.turns);
     let label_of = |name: &str| {
         let label = labels::named(target, name)?;
-        if WHOLE
-            && spins_on
-            && matches!(label.quantity, Quantity::KineticEnergy | Quantity::RotationalFraction)
-        {
-            let message = told!("`{name}` would need the spin that a body keeps on a smooth surface");
+        if spins_on && matches!(label.quantity, Quantity::KineticEnergy | Quantity::RotationalFraction) {
+            let message = format!("`{name}` would need the spin that a body keeps on a smooth surface");
             return Err((message, Some("ask for speeds, accelerations, forces or times".to_owned())));
         }
         Ok(label)
     };
     let told = |n: &Node, (message, hint): (String, Option<String>)| {
-        let case = if context.case.is_empty() { String::new() } else { told!(" (case `{}`)", context.case) };
-        faults.maybe(n, told!("{message}{case}"), hint);
+        let case =
+            if context.case.is_empty() { String::new() } else { format!(" (case `{}`)", context.case) };
+        faults.maybe(n, format!("{message}{case}"), hint);
     };
     let word = |field: &str, n: Option<&Node>| {
-        n.and_then(Node::text).map_or_else(String::new, |how| told!(", {field}: {}", how.trim()))
+        n.and_then(Node::text).map_or_else(String::new, |how| format!(", {field}: {}", how.trim()))
     };
     let condition = word("if", as_if) + &word("motion", motion);
     let Some(written) = value else {
@@ -99,7 +96,7 @@ fn read(
         if label.quantity.is_word() {
             return faults.refuse(
                 quantity.unwrap_or(key),
-                told!("`{name}` is answered with a word; `if:` and `motion:` are for numbers"),
+                format!("`{name}` is answered with a word; `if:` and `motion:` are for numbers"),
             );
         }
         let powers = measure::own_powers(label.quantity.unit()).map(|p| p / 4);
@@ -159,7 +156,7 @@ fn expression(
         Ok(expression) => expression,
         Err(mut fault) => {
             if !context.case.is_empty() {
-                fault.message.push_str(&told!(" (case `{}`)", context.case));
+                fault.message.push_str(&format!(" (case `{}`)", context.case));
             }
             fault.tell(written, &text, faults);
             return None;
@@ -194,9 +191,6 @@ pub fn measured(written: &Node, scene: &mut Scene, context: &AskedContext, fault
 
 /// The data that it names.
 fn uses(asked: &Asked) -> Vec<DatumUse> {
-    if !WHOLE {
-        return Vec::new();
-    }
     let terms = asked.formula.names().filter_map(|term| match term {
         Term::Given(given) => Some(DatumUse { datum: given.datum, need: *Need::TERM }),
         Term::Said(_) | Term::Other(..) => None,
@@ -212,13 +206,14 @@ fn unit_fits(
     powers: Exponents,
     faults: &Faults,
 ) -> Option<()> {
-    if !WHOLE {
-        return Some(());
-    }
     let dimension = measure::powers_text(powers);
     let Some(unit) = unit else {
-        let hint = told!("write its unit; the expression has the dimension {dimension}");
-        return faults.refuse_with(node, told!("`{id}` asks for an expression, and `unit` is missing"), hint);
+        let hint = format!("write its unit; the expression has the dimension {dimension}");
+        return faults.refuse_with(
+            node,
+            format!("`{id}` asks for an expression, and `unit` is missing"),
+            hint,
+        );
     };
     // A unit that is none is told where questions are read.
     let found = measure::powers(&Unit::parse(unit.text().unwrap_or("").trim()).ok()?);
@@ -226,8 +221,8 @@ fn unit_fits(
         return Some(());
     }
     let found = measure::powers_text(found);
-    let message = told!("`{}` has the dimension {dimension}, its unit {found}", shorten(written));
-    faults.refuse_with(unit, message, told!("a unit such as {dimension}"))
+    let message = format!("`{}` has the dimension {dimension}, its unit {found}", shorten(written));
+    faults.refuse_with(unit, message, format!("a unit such as {dimension}"))
 }
 
 /// The motion that follows, as `motion:` names it.
@@ -260,14 +255,12 @@ fn other(node: &Node, scene: &mut Scene, faults: &Faults) -> Option<usize> {
             "ask for `a_rolling` or `friction_if_rolled`, or take `if:` away",
         );
     }
-    if WHOLE {
-        let own = Faults::default();
-        soundness::structure(&other, node, &own);
-        soundness::instant(&other, &[], node, &own);
-        if let Some(why) = own.into_sorted("").iter().next() {
-            let so = if how == AsIf::Rolls { "rolled" } else { "were smooth" };
-            return faults.refuse(node, told!("as if it {so}, this scene is not solved: {}", why.message));
-        }
+    let own = Faults::default();
+    soundness::structure(&other, node, &own);
+    soundness::instant(&other, &[], node, &own);
+    if let Some(why) = own.into_sorted("").iter().next() {
+        let so = if how == AsIf::Rolls { "rolled" } else { "were smooth" };
+        return faults.refuse(node, format!("as if it {so}, this scene is not solved: {}", why.message));
     }
     scene.formulas.others.push((how, other));
     Some(scene.formulas.others.len() - 1)

@@ -1,7 +1,7 @@
 //! Decimal numbers as integers: no float, so that the printed value is the value used.
 use crate::bank::node::shorten;
-use crate::finding::told;
 use crate::units::TENS;
+use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;
 
 /// Most decimals of a datum.
@@ -10,7 +10,7 @@ const MAX_DECIMALS: u8 = 12;
 pub const MAX_DIGITS: usize = 15;
 
 /// A decimal number: `value` times 10^-`decimals`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Decimal {
     /// The digits.
     pub value: i64,
@@ -38,11 +38,11 @@ impl Decimal {
         let (whole, part) = digits.split_once('.').unwrap_or((digits, ""));
         let all = whole.bytes().chain(part.bytes());
         if whole.is_empty() || !all.clone().all(|b| b.is_ascii_digit()) || digits.ends_with('.') {
-            return Err(told!("`{}` is not a decimal number", shorten(text)));
+            return Err(format!("`{}` is not a decimal number", shorten(text)));
         }
         let decimals = u8::try_from(part.len()).ok().filter(|d| *d <= MAX_DECIMALS);
         let (Some(decimals), true) = (decimals, whole.len() + part.len() <= MAX_DIGITS) else {
-            return Err(told!(
+            return Err(format!(
                 "`{}` has too many digits: {} in all and {} after the point, where at most {MAX_DIGITS} and {MAX_DECIMALS} are read",
                 shorten(text),
                 whole.len() + part.len(),

@@ -1,8 +1,7 @@
 //! How a bank writes the draw of a datum: `25 to 50 step 1`, `one of 10, 20, 45`, `always 30`.
 use crate::bank::Draw;
 use crate::bank::decimal::{Decimal, MAX_DIGITS};
-use crate::bank::node::{WHOLE, shorten};
-use crate::finding::told;
+use crate::bank::node::shorten;
 
 /// The forms of a draw, for hints.
 pub const FORMS: &str = "write `25 to 50 step 1`, `one of 10, 20, 45` or `always 30`";
@@ -15,7 +14,7 @@ pub fn parse(text: &str) -> Result<Draw, (String, String)> {
         return Ok(Draw::Always { value: d.value, decimals: d.decimals });
     }
     // On a sheet nothing is left to draw, and an unknown has a range.
-    if let Some(rest) = word(text, "one of").filter(|_| WHOLE) {
+    if let Some(rest) = word(text, "one of") {
         let list = rest.split(',').map(|t| number(t.trim())).collect::<Result<Vec<_>, _>>()?;
         let decimals = list.iter().map(|d| d.decimals).max().unwrap_or(0);
         let values =
@@ -23,43 +22,43 @@ pub fn parse(text: &str) -> Result<Draw, (String, String)> {
         if let Some((i, v)) = values.iter().enumerate().find(|(i, v)| values[..*i].contains(v)) {
             let shown = Decimal { value: *v, decimals }.text();
             return Err((
-                told!("{shown} stands twice (again as number {})", i + 1),
+                format!("{shown} stands twice (again as number {})", i + 1),
                 "list each value once".into(),
             ));
         }
         return Ok(Draw::OneOf { values, decimals });
     }
     let Some((low, rest)) = text.split_once(" to ") else {
-        return Err((told!("`{}` is no draw", shorten(text)), told!("{FORMS}")));
+        return Err((format!("`{}` is no draw", shorten(text)), FORMS.to_owned()));
     };
     let Some((high, step)) = rest.split_once(" step ") else {
         return Err((
-            told!("`{}` has no step", shorten(text)),
-            told!("write `{} to {} step ...`: values are drawn on a grid", low.trim(), rest.trim()),
+            format!("`{}` has no step", shorten(text)),
+            format!("write `{} to {} step ...`: values are drawn on a grid", low.trim(), rest.trim()),
         ));
     };
     let (low, high, step) = (number(low.trim())?, number(high.trim())?, number(step.trim())?);
     let decimals = low.decimals.max(high.decimals).max(step.decimals);
     let all = |d: Decimal| d.widened(decimals).ok_or_else(too_long);
     let (min, max, size) = (all(low)?, all(high)?, all(step)?);
-    if !WHOLE {
-        return Ok(Draw::Grid { min, max, step: size, decimals });
-    }
     if size <= 0 {
-        return Err((told!("the step {} is not above 0", step.text()), "a step is a positive number".into()));
+        return Err((
+            format!("the step {} is not above 0", step.text()),
+            "a step is a positive number".into(),
+        ));
     }
     if min > max {
         return Err((
-            told!("{} is above {}", low.text(), high.text()),
-            told!("write `{} to {} step {}`", high.text(), low.text(), step.text()),
+            format!("{} is above {}", low.text(), high.text()),
+            format!("write `{} to {} step {}`", high.text(), low.text(), step.text()),
         ));
     }
     let left = (max - min) % size;
     if left != 0 {
         let last = Decimal { value: max - left, decimals }.text();
         return Err((
-            told!("the step {} does not lead from {} to {}", step.text(), low.text(), high.text()),
-            told!("the last value would be {last}: write `{} to {last} step {}`", low.text(), step.text()),
+            format!("the step {} does not lead from {} to {}", step.text(), low.text(), high.text()),
+            format!("the last value would be {last}: write `{} to {last} step {}`", low.text(), step.text()),
         ));
     }
     Ok(Draw::Grid { min, max, step: size, decimals })
@@ -67,8 +66,8 @@ pub fn parse(text: &str) -> Result<Draw, (String, String)> {
 
 fn too_long() -> (String, String) {
     (
-        told!("these numbers have too many digits"),
-        told!("at most {MAX_DIGITS} digits in all, counted to the last decimal"),
+        format!("these numbers have too many digits"),
+        format!("at most {MAX_DIGITS} digits in all, counted to the last decimal"),
     )
 }
 
@@ -79,8 +78,8 @@ fn word<'t>(text: &'t str, start: &str) -> Option<&'t str> {
 fn number(text: &str) -> Result<Decimal, (String, String)> {
     Decimal::read(text).map_err(|why| {
         let hint = match why.contains("too many") {
-            true => told!("round it: the printed number is the number used"),
-            false => told!("write digits with a point, such as 0.30, without a unit"),
+            true => format!("round it: the printed number is the number used"),
+            false => format!("write digits with a point, such as 0.30, without a unit"),
         };
         (why, hint)
     })

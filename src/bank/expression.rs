@@ -4,11 +4,11 @@
 //! Values are SI. Dimensions are checked where they are known; the radian counts as a pure number here.
 use crate::bank::node::{Faults, Node, shorten};
 use crate::bank::{Datum, measure};
-use crate::finding::told;
 use crate::num::decimal::nearest;
 use crate::num::formula::{self, Formula};
 use crate::num::trig;
 use crate::scene::Label;
+use serde::{Deserialize, Serialize};
 
 /// Exponents of the base units, in quarters, so that square roots stay whole; the angle is left out.
 pub type Exponents = [i32; 3];
@@ -19,7 +19,7 @@ const DEPTH: usize = (formula::STACK - 8) / 2;
 const LENGTH: usize = 400;
 
 /// An expression, ready to be evaluated without allocation.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Expression {
     formula: Formula<Name>,
     /// Dimension of the value.
@@ -27,7 +27,7 @@ pub struct Expression {
 }
 
 /// What a name means.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Name {
     /// A datum, and whether it is held in degrees: expressions count angles in radians.
     Datum(usize, bool),
@@ -50,7 +50,7 @@ pub struct ExpressionFault {
 
 impl ExpressionFault {
     pub fn tell(self, node: &Node, text: &str, faults: &Faults) {
-        let message = told!("`{}`, character {}: {}", shorten(text), self.column, self.message);
+        let message = format!("`{}`, character {}: {}", shorten(text), self.column, self.message);
         faults.maybe(node, message, self.hint);
     }
 }
@@ -71,7 +71,7 @@ impl Expression {
         let chars: Vec<char> = text.chars().collect();
         let mut parser = Parser { chars: &chars, at: 0, steps: Vec::new(), depth: 0, strict, lookup };
         if chars.len() > LENGTH {
-            return Err(parser.trouble(told!("longer than {LENGTH} characters")));
+            return Err(parser.trouble(format!("longer than {LENGTH} characters")));
         }
         let powers = parser.sum()?;
         parser.blanks();
@@ -179,13 +179,13 @@ struct Parser<'a> {
 
 impl Parser<'_> {
     fn trouble(&self, message: impl Into<String>) -> ExpressionFault {
-        ExpressionFault { column: self.at + 1, message: told!("{}", message.into()), hint: None }
+        ExpressionFault { column: self.at + 1, message: message.into(), hint: None }
     }
     fn unexpected(&self, found: char) -> ExpressionFault {
-        let mut fault = self.trouble(told!("`{found}` is not expected here"));
+        let mut fault = self.trouble(format!("`{found}` is not expected here"));
         if found.is_alphabetic() || found == '(' {
             let hint = "factors are joined by `*`, and numbers of an expression have no unit: make a datum of one that has";
-            fault.hint = Some(told!("{hint}"));
+            fault.hint = Some(hint.to_owned());
         }
         fault
     }
@@ -231,7 +231,7 @@ impl Parser<'_> {
             let next = self.product()?;
             if self.strict && next != first {
                 self.at = start;
-                return Err(self.trouble(told!(
+                return Err(self.trouble(format!(
                     "the terms of a sum have different dimensions, {} and {}",
                     measure::powers_text(first),
                     measure::powers_text(next)
@@ -320,7 +320,7 @@ impl Parser<'_> {
                 }
                 _ => {
                     self.at = start;
-                    Err(self.trouble(told!("`{digits}` is not a number")))
+                    Err(self.trouble(format!("`{digits}` is not a number")))
                 }
             };
         }
@@ -352,7 +352,7 @@ impl Parser<'_> {
                     _ if self.strict && powers != [0; 3] => {
                         self.at = start;
                         let what = if name.starts_with('a') { "a pure number" } else { "an angle" };
-                        return Err(self.trouble(told!("`{name}` takes {what}")));
+                        return Err(self.trouble(format!("`{name}` takes {what}")));
                     }
                     "sin" => self.steps.push(formula::Step::Sin),
                     "asin" => self.steps.push(formula::Step::Asin),
@@ -375,7 +375,7 @@ impl Parser<'_> {
                 Err((message, hint)) => Err(ExpressionFault { column: start + 1, message, hint }),
             };
         }
-        Err(self.trouble(told!("`{c}` is not expected here")))
+        Err(self.trouble(format!("`{c}` is not expected here")))
     }
 }
 
@@ -387,7 +387,7 @@ mod tests {
         Expression::parse(text, &|name| match name {
             "k" => Ok((Name::Datum(0, false), [4, 0, 0])),
             "r" => Ok((Name::Datum(1, false), [4, 0, 0])),
-            _ => Err((told!("`{name}` is not known"), None)),
+            _ => Err((format!("`{name}` is not known"), None)),
         })
     }
 

@@ -1,10 +1,9 @@
 //! The inverse question: a datum that is `unknown:` is found from another one that was `measured:`.
 use crate::bank::asked::{self, AskedContext, OF_NEXT};
-use crate::bank::node::{Faults, Node, WHOLE};
+use crate::bank::node::{Faults, Node};
 use crate::bank::scene::DatumUse;
 use crate::bank::{Datum, labels, measure, need::Need};
-use crate::finding::told;
-use crate::scene::admissible::{self, Rule};
+use crate::scene::admissible;
 use crate::scene::{Found, Given, Label, Num, Owner, Quantity, Scene, Term};
 
 /// The one datum that was measured, where one is unknown; anything else is told.
@@ -20,7 +19,7 @@ pub fn only<'n>(
         ([_], [one]) => Some(*one),
         ([symbol], []) => {
             let message =
-                told!("`{symbol}` is unknown, and nothing is measured from which it could be found");
+                format!("`{symbol}` is unknown, and nothing is measured from which it could be found");
             faults.refuse_with(
                 problem,
                 message,
@@ -82,7 +81,7 @@ pub fn put(
     let label = match asked::label(scene, name).map_or_else(|| labels::named(scene, name), Ok) {
         Ok(label) if !label.quantity.is_word() => label,
         Ok(_) => {
-            faults.at(node, told!("`{name}` is a word: only a number is measured"));
+            faults.at(node, format!("`{name}` is a word: only a number is measured"));
             return Vec::new();
         }
         Err((message, hint)) => {
@@ -90,31 +89,26 @@ pub fn put(
             return Vec::new();
         }
     };
-    if WHOLE && let Some(why) = unproved(scene, label) {
+    if let Some(why) = unproved(scene, label) {
         let hint = "measure a speed where nothing rubs on the way, or look at an instant: `end: at once`; or give this datum and ask for what was measured";
         faults.hint(
             node,
-            told!("that only one value of `{}` gives `{name}` cannot be proved {why}", data[i].symbol),
+            format!("that only one value of `{}` gives `{name}` cannot be proved {why}", data[i].symbol),
             hint,
         );
         return vec![DatumUse { datum: at, need: *Need::TERM }];
     }
     let symbol = &data[i].symbol;
     let (own, wanted) = (measure::powers(&data[at].unit), measure::own_powers(scene.unit(label)));
-    if WHOLE && own != wanted {
+    if own != wanted {
         let (own, wanted) = (measure::powers_text(own), measure::powers_text(wanted));
-        faults.at(node, told!("`{}` has the dimension {own}, `{name}` {wanted}", data[at].symbol));
+        faults.at(node, format!("`{}` has the dimension {own}, `{name}` {wanted}", data[at].symbol));
         return Vec::new();
     }
-    let mut used = !WHOLE;
-    let look = |tell: &mut dyn FnMut(Num, Rule)| {
-        if WHOLE {
-            admissible::rules(scene, tell);
-        }
-    };
-    look(&mut |number, _| used |= scene.data_of(number).any(|datum| datum == i));
+    let mut used = false;
+    admissible::rules(scene, &mut |number, _| used |= scene.data_of(number).any(|datum| datum == i));
     if !used {
-        let message = told!("`{symbol}` is to be found, but the scene does not use it");
+        let message = format!("`{symbol}` is to be found, but the scene does not use it");
         faults.hint(
             problem.field("data").and_then(|d| d.field(symbol)).unwrap_or(node),
             message,
@@ -128,17 +122,17 @@ pub fn put(
     };
     let range = [scene_value(low), scene_value(high)];
     let mut rule = None;
-    look(&mut |number, r| {
+    admissible::rules(scene, &mut |number, r| {
         let fits = |x: &f64| admissible::fits_rule(*x, r);
         if number == Num::Datum(i) && !range.iter().all(fits) {
             rule = Some(r);
         }
     });
-    if WHOLE && (rule.is_some() || range[0] >= range[1]) {
+    if rule.is_some() || range[0] >= range[1] {
         let place = problem.field("data").and_then(|d| d.field(symbol)).unwrap_or(node);
         faults.hint(
             place,
-            told!("`{symbol}` cannot have all values of this range"),
+            format!("`{symbol}` cannot have all values of this range"),
             "such as `unknown: 1 to 3 step 0.1`",
         );
         return Vec::new();
@@ -148,8 +142,6 @@ pub fn put(
         Given { datum, degrees: data[datum].degrees, powers }
     };
     scene.formulas.found = Some(Found { unknown: given(i), range, measured: given(at), label });
-    if WHOLE {
-        uses.push(DatumUse { datum: at, need: *Need::TERM });
-    }
+    uses.push(DatumUse { datum: at, need: *Need::TERM });
     uses
 }

@@ -1,7 +1,6 @@
 //! The quantities of a scene: which the solvers tell of it, under which names, and why it has not the others.
 use crate::bank::asked;
 use crate::bank::node::shorten;
-use crate::finding::told;
 use crate::scene::{
     Attach, Cord, Degree, End, Far, JointKind, Label, Owner, Quantity, RotaryInertia, Scene, Slope, Spot, Tie,
 };
@@ -19,19 +18,19 @@ pub fn named(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>
     let Some(quantity) = Quantity::from_name(bare) else {
         let hint = spell::did_you_mean(bare, Quantity::ALL.iter().map(|q| q.name())).unwrap_or_else(|| {
             let names = || of(scene).into_iter().map(|l| scene.name_of(l));
-            told!("quantities of this scene: {}", names().collect::<Vec<_>>().join(", "))
+            format!("quantities of this scene: {}", names().collect::<Vec<_>>().join(", "))
         });
-        return Err((told!("`{}` is no quantity", shorten(name)), Some(hint)));
+        return Err((format!("`{}` is no quantity", shorten(name)), Some(hint)));
     };
     let found: Vec<Label> = of(scene).into_iter().filter(|l| l.quantity == quantity).collect();
     let shown = shorten(name);
     if found.is_empty() {
         return Err((
-            told!("`{shown}` does not exist in this scene"),
-            Some(told!("`{}` is: {}; {}", bare, quantity.meaning(), reason(scene, quantity))),
+            format!("`{shown}` does not exist in this scene"),
+            Some(format!("`{}` is: {}; {}", bare, quantity.meaning(), reason(scene, quantity))),
         ));
     }
-    let names = || found.iter().map(|l| told!("`{}`", scene.name_of(*l))).collect::<Vec<_>>().join(", ");
+    let names = || found.iter().map(|l| format!("`{}`", scene.name_of(*l))).collect::<Vec<_>>().join(", ");
     match owner {
         None => match found
             .iter()
@@ -39,13 +38,13 @@ pub fn named(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>
             .or(found.first().filter(|_| found.len() == 1))
         {
             Some(label) => Ok(*label),
-            None => Err((told!("`{shown}`: of what?"), Some(told!("this scene has {}", names())))),
+            None => Err((format!("`{shown}`: of what?"), Some(format!("this scene has {}", names())))),
         },
         Some(owner) => {
             let belongs = |l: &&Label| scene.owner_name(l.of).is_some_and(|name| name == owner);
             found.iter().find(belongs).copied().ok_or_else(|| {
-                let hint = told!("this scene has {}", names());
-                (told!("`{shown}` does not exist in this scene"), Some(hint))
+                let hint = format!("this scene has {}", names());
+                (format!("`{shown}` does not exist in this scene"), Some(hint))
             })
         }
     }
@@ -75,7 +74,7 @@ pub fn reason(scene: &Scene, quantity: Quantity) -> String {
         End::Equilibrium => ("equilibrium", "at rest there"),
         _ => ("at once", "at the start"),
     };
-    told!("with `end: {end}` only what holds {what} is asked: {}", names().collect::<Vec<_>>().join(", "))
+    format!("with `end: {end}` only what holds {what} is asked: {}", names().collect::<Vec<_>>().join(", "))
 }
 
 /// What a quantity needs, for hints.

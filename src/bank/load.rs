@@ -1,7 +1,6 @@
 //! The text of a bank to a bank.
 use crate::bank::node::{Faults, Node, Value};
 use crate::bank::{Bank, Variables, schema};
-#[cfg(feature = "program")]
 use crate::bank::{synonyms, yaml};
 use crate::finding::Findings;
 use sha2::{Digest, Sha256};
@@ -10,12 +9,10 @@ use std::{fmt, io};
 /// Reads a bank. All findings come at once; only a fault of the YAML syntax stands alone.
 ///
 /// `file` is the name shown in findings; `variables` finds the names that a statement or question uses.
-#[cfg(feature = "program")]
 pub fn bank(text: &str, file: &str, variables: Variables) -> Result<Bank, Findings> {
     read(text, file, Some(variables))
 }
 
-#[cfg(feature = "program")]
 fn read(text: &str, file: &str, variables: Option<Variables>) -> Result<Bank, Findings> {
     let mut tree = yaml::tree(text).map_err(|f| f.in_file(file))?;
     synonyms::put(&mut tree);
@@ -64,7 +61,6 @@ pub fn texts(tree: &Node) -> impl Iterator<Item = (String, &Node)> {
 }
 
 /// Reads a bank without looking into its templates, for uses that show no text.
-#[cfg(feature = "program")]
 pub fn scenes_only(text: &str, file: &str) -> Result<Bank, Findings> {
     read(text, file, None)
 }

@@ -3,13 +3,12 @@ use crate::bank::Datum;
 use crate::bank::decimal::Decimal;
 use crate::bank::expression::{Exponents, Name};
 use crate::bank::node::{Faults, Node, shorten};
-use crate::finding::told;
 use crate::scene::{Label, Owner, Scene};
 use crate::units::{Unit, parse_quantity};
 
 /// A unit from its spelling, or what is wrong with it.
 pub fn unit(text: &str) -> Result<Unit, String> {
-    Unit::parse(text.trim()).map_err(|fault| told!("`{}`: {fault}", shorten(text)))
+    Unit::parse(text.trim()).map_err(|fault| format!("`{}`: {fault}", shorten(text)))
 }
 
 /// One of the program's own spellings.
@@ -33,9 +32,9 @@ pub fn mismatch(unit: &Unit, wanted: &str) -> String {
 
 /// A constant of a scene such as `20 kg`: SI, a slope in degrees. A plain number has no dimension.
 pub fn constant(text: &str, wanted: &str) -> Result<f64, String> {
-    let read = parse_quantity(text, &Unit::one()).map_err(|fault| told!("`{}`: {fault}", shorten(text)))?;
+    let read = parse_quantity(text, &Unit::one()).map_err(|fault| format!("`{}`: {fault}", shorten(text)))?;
     if !fits(&read.unit, wanted) {
-        return Err(told!("`{}`: {}", shorten(text), mismatch(&read.unit, wanted)));
+        return Err(format!("`{}`: {}", shorten(text), mismatch(&read.unit, wanted)));
     }
     Ok(if wanted == "deg" { read.value_scene } else { read.value_si })
 }
@@ -47,7 +46,7 @@ pub fn decimal_constant(text: &str) -> Result<(Decimal, Unit), String> {
         text.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+'))).unwrap_or(text.len());
     let (digits, rest) = text.split_at(end);
     let number = Decimal::read(digits.trim()).map_err(|why| match digits.is_empty() {
-        true => told!("`{}` does not begin with a decimal number", shorten(text)),
+        true => format!("`{}` does not begin with a decimal number", shorten(text)),
         false => why,
     })?;
     let unit = if rest.trim().is_empty() { Unit::one() } else { unit(rest)? };
@@ -103,7 +102,7 @@ pub fn quantity(
 /// The same of a quantity that the solvers give. Errors: those of [`quantity`].
 pub fn own_quantity(label: Label, name: &str) -> Result<(Name, Exponents), (String, Option<String>)> {
     if label.quantity.is_word() {
-        return Err((told!("`{name}` is a word, not a number"), None));
+        return Err((format!("`{name}` is a word, not a number"), None));
     }
     Ok((Name::Quantity(label), own_powers(label.quantity.unit())))
 }
@@ -119,8 +118,8 @@ pub fn si(powers: [i32; 3]) -> String {
 /// That something else was expected, or that there are too many digits.
 pub fn expected(what: &str, node: &Node, fault: Option<&String>) -> String {
     match fault.filter(|why| why.contains("too many digits")) {
-        Some(why) => told!("expected {what}: {why}"),
-        None => told!("expected {what}, found {}", node.kind()),
+        Some(why) => format!("expected {what}: {why}"),
+        None => format!("expected {what}, found {}", node.kind()),
     }
 }
 
@@ -129,7 +128,7 @@ pub fn limit(node: &Node, (what, least, most): (&str, f64, f64), faults: &Faults
     let written = Decimal::read(node.text().unwrap_or("").trim());
     let fine = written.as_ref().ok().map(|d| d.f64()).filter(|x| (least..=most).contains(x));
     if fine.is_none() {
-        faults.at(node, expected(&told!("{what} from {least} to {most}"), node, written.as_ref().err()));
+        faults.at(node, expected(&format!("{what} from {least} to {most}"), node, written.as_ref().err()));
     }
     fine
 }

@@ -2,10 +2,9 @@
 //! catalogue of misconceptions, by the same id.
 use crate::bank::asked::AskedContext;
 use crate::bank::expression::{Exponents, Expression, Name};
-use crate::bank::node::{Faults, Fields, Node, WHOLE, items, known_as, named, shorten};
+use crate::bank::node::{Faults, Fields, Node, items, known_as, named, shorten};
 use crate::bank::scene::{self, DatumSymbol, Touching};
 use crate::bank::{Datum, Follow, Mistake, Question, asked, inverse, labels, measure};
-use crate::finding::told;
 use crate::scene::{Label, Scene};
 use crate::units::spell;
 use std::cell::Cell;
@@ -43,16 +42,16 @@ pub fn mistakes(node: &Node, context: &Context, faults: &Faults) -> Vec<Mistake>
 }
 
 fn mistake(id: &str, key: &Node, node: &Node, context: &Context, faults: &Faults) -> Option<Mistake> {
-    if WHOLE && !is_id(id) {
+    if !is_id(id) {
         let hint = "letters, digits and `-`, beginning with a letter, such as `A05` or `rotation-forgotten`";
-        faults.hint(key, told!("`{}` is no id of a wrong method", shorten(id)), hint);
+        faults.hint(key, format!("`{}` is no id of a wrong method", shorten(id)), hint);
     }
     let mut fields = Fields::open(node, "a wrong method (data, scene, values, of, cases)", faults)?;
     let (data_node, scene_node) = (fields.get("data"), fields.get("scene"));
     let (values_node, of_node) = (fields.get("values"), fields.get("of"));
     let cases_node = fields.get("cases");
     let unguarded = fields.get("unguarded").map(|n| (n, n.text().unwrap_or("").trim().to_owned()));
-    if WHOLE && data_node.is_none() && scene_node.is_none() && values_node.is_none() {
+    if data_node.is_none() && scene_node.is_none() && values_node.is_none() {
         let hint = "`data: {k: R/sqrt(2)}`, `scene: {ties: [...]}` or `values: {omega: v/R}`";
         faults.hint(node, "this wrong method changes nothing", hint);
     }
@@ -101,7 +100,7 @@ fn is_id(text: &str) -> bool {
 /// The scene with some of its fields replaced, read by the reader of scenes.
 fn changed(case: &CaseContext, changes: &Node, context: &Context, faults: &Faults) -> Option<Scene> {
     let Some(node) = case.node.overlaid(changes) else {
-        return faults.refuse(changes, told!("expected fields of a scene, found {}", changes.kind()));
+        return faults.refuse(changes, format!("expected fields of a scene, found {}", changes.kind()));
     };
     let mut scene = scene::read(&node, case.symbols, case.touching, context.gravity, faults).scene?;
     inverse::put(&node, context.measured, &mut scene, context.data, &Faults::default());
@@ -140,23 +139,23 @@ pub fn follows(
         let Some(index) = questions.iter().position(|q| q.id == id) else {
             if whole {
                 let hint = spell::hint(id, "questions", questions.iter().map(|q| q.id.as_str()));
-                faults.hint(key, told!("`{}` is no question that is asked", shorten(id)), hint);
+                faults.hint(key, format!("`{}` is no question that is asked", shorten(id)), hint);
             }
             continue;
         };
         let Some(by) = expression(value, context, true, faults) else { continue };
         let wanted = measure::powers(&questions[index].unit);
-        if WHOLE && by.powers != wanted {
+        if by.powers != wanted {
             let (found, wanted) = (measure::powers_text(by.powers), measure::powers_text(wanted));
-            faults.at(value, told!("this has the dimension {found}, `{id}` {wanted}"));
+            faults.at(value, format!("this has the dimension {found}, `{id}` {wanted}"));
         }
         let from: Vec<usize> =
             (0..index).filter(|q| by.quantities().any(|l| l == questions[*q].label)).collect();
         if from.is_empty() && whole {
             let earlier: Vec<&str> = questions[..index].iter().map(|q| q.id.as_str()).collect();
             let hint = match earlier.is_empty() {
-                true => told!("`{id}` is asked first: ask before it what it follows from"),
-                false => told!("name one of: {}", earlier.join(", ")),
+                true => format!("`{id}` is asked first: ask before it what it follows from"),
+                false => format!("name one of: {}", earlier.join(", ")),
             };
             faults.hint(value, "this follows from no part that is asked before", hint);
         }
@@ -177,7 +176,7 @@ fn expression(node: &Node, context: &Context, strict: bool, faults: &Faults) -> 
         }
         // Without a scene there is no quantity, and why there is none is a finding already.
         scene_read.set(!context.cases.is_empty());
-        let mut trouble = (told!("`{}` is not known", shorten(name)), None);
+        let mut trouble = (format!("`{}` is not known", shorten(name)), None);
         for CaseContext { scene, .. } in context.cases {
             match labels::named(scene, name).and_then(|label| measure::quantity(scene, label, name)) {
                 Ok(found) => return Ok(found),

@@ -6,6 +6,7 @@ use crate::policy::Policy;
 use crate::scene::{Label, Num, Scene};
 use crate::solve::outcome::CheckKind;
 use crate::units::{Unit, WrittenQuantity};
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -38,7 +39,7 @@ pub struct Bank {
 }
 
 /// One problem.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Problem {
     /// Id, such as `pulled-rolling`.
     pub id: String,
@@ -67,7 +68,7 @@ pub struct Problem {
 }
 
 /// What the figure of a statement is labelled with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum FigureLabels {
     /// Symbols with the drawn values: `R = 0.40 m`.
     Values,
@@ -78,7 +79,7 @@ pub enum FigureLabels {
 }
 
 /// A named quantity that is drawn.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Datum {
     /// Symbol, such as `mu_s`.
     pub symbol: String,
@@ -117,7 +118,7 @@ impl Datum {
 }
 
 /// How a datum is drawn. All numbers are integers in units of 10^-decimals of the printed unit: no float in the draw.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Draw {
     /// From `min` to `max` by `step`.
     Grid {
@@ -147,7 +148,7 @@ pub enum Draw {
 }
 
 /// A case: ranges, share and the scene to which they belong.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Case {
     /// Name, empty if the problem has only one.
     pub name: String,
@@ -182,7 +183,7 @@ impl Case {
 }
 
 /// A wrong method: how it comes to its answers, from a changed scene, from changed data, or from the right values.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Mistake {
     /// Id in the catalogue, such as `A05`.
     pub id: String,
@@ -204,7 +205,7 @@ pub struct Mistake {
 
 /// A part that follows from other parts: `v` from `omega` by `r*omega`. What a student gets by it from a wrong earlier part is
 /// right in method. For each draw the relation is checked with the right values.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Follow {
     /// The part, an index into the questions.
     pub question: usize,
@@ -217,7 +218,7 @@ pub struct Follow {
 }
 
 /// A bound on an expression in symbols and quantity names, SI.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Bound {
     /// As written, for the table of refusals.
     pub text: String,
@@ -230,7 +231,7 @@ pub struct Bound {
 }
 
 /// One question.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Question {
     /// Id of the part, such as `omega`.
     pub id: String,
@@ -257,7 +258,7 @@ pub struct Question {
 }
 
 /// Relative tolerance of a question: fixed, or as wide as the condition number of the answer asks.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Relative {
     /// The same for every variant, such as 0.01.
     Fixed(f64),
@@ -308,26 +309,37 @@ impl Relative {
 /// Greatest rounding error of a number of tenths of a per cent that is whole but for doubles.
 const ROUNDING: f64 = 1e-6;
 
+pub mod decimal;
+pub(crate) mod draw;
+pub(crate) mod expression;
+pub(crate) mod measure;
+pub(crate) mod need;
+pub(crate) mod node;
+
+// What reads banks. A page gets its problems as they were read.
+#[cfg(feature = "program")]
 pub(crate) mod any;
+#[cfg(feature = "program")]
 pub mod asked;
 #[cfg(feature = "program")]
 pub mod built_in;
 #[cfg(feature = "program")]
 pub mod course;
-pub mod decimal;
-pub(crate) mod draw;
-pub(crate) mod expression;
+#[cfg(feature = "program")]
 pub(crate) mod inverse;
+#[cfg(feature = "program")]
 pub mod labels;
+#[cfg(feature = "program")]
 pub mod load;
-pub(crate) mod measure;
+#[cfg(feature = "program")]
 pub(crate) mod mistake;
-pub(crate) mod need;
-pub(crate) mod node;
 #[cfg(feature = "program")]
 pub mod overlay;
+#[cfg(feature = "program")]
 pub(crate) mod scene;
+#[cfg(feature = "program")]
 pub(crate) mod schema;
+#[cfg(feature = "program")]
 pub(crate) mod soundness;
 #[cfg(feature = "program")]
 pub(crate) mod synonyms;

@@ -1,6 +1,4 @@
 //! What the numbers of a scene are used for: words, unit, admissible values and an example of each use, in one table.
-use crate::bank::node::WHOLE;
-use crate::finding::{only_told, told};
 use crate::scene::Rule;
 use crate::scene::admissible::fits_rule;
 
@@ -38,10 +36,7 @@ const A_TURN: Range = (|x| (-360.0..=360.0).contains(&x), "from -360 to 360 degr
 const TURNS: Range = (|x| fits_rule(x, Rule::Turns), "within 20 turns, 7200 degrees", "");
 
 const fn need(words: &'static str, unit: &'static str, range: Range, example: &'static str) -> Need {
-    let (admits, rule, instead) = range;
-    // The constants of a page were looked through with its bank.
-    let admits: fn(f64) -> bool = if WHOLE { admits } else { |_| true };
-    Need { words, unit, range: (admits, only_told(rule), only_told(instead)), example: only_told(example) }
+    Need { words, unit, range, example }
 }
 
 #[rustfmt::skip] // a table
@@ -95,15 +90,12 @@ impl Need {
     /// Does a value fit this use? Errors: the rule that it breaks, in words.
     pub fn admits(&self, value: f64) -> Result<(), String> {
         let (admits, rule, instead) = self.range;
-        if admits(value) { Ok(()) } else { Err(told!("{} is {rule}{instead}", self.words)) }
+        if admits(value) { Ok(()) } else { Err(format!("{} is {rule}{instead}", self.words)) }
     }
 }
 
 /// What an inertia that a synonym has put about the mass centre needs of that about the pin, for messages.
 pub fn about_pin_needs(text: &str) -> Option<&'static str> {
-    if !WHOLE {
-        return None;
-    }
     let (about, arm) = text.split_once(" - ")?;
     if about.starts_with("sqrt((") && about.ends_with(")^2") && arm.ends_with(")^2)") {
         return Some(

@@ -1,5 +1,5 @@
 //! A bank as a tree of texts with places; what the texts mean is read elsewhere.
-use crate::finding::{Finding, Findings, told};
+use crate::finding::{Finding, Findings};
 use crate::units::spell;
 use std::cell::RefCell;
 
@@ -156,9 +156,8 @@ impl Faults {
     }
     /// [`Faults::refuse_with`] of a node that is something else than was expected.
     pub fn expected<T>(&self, node: &Node, what: &str, hint: impl Into<String>) -> Option<T> {
-        self.refuse_with(node, told!("expected {what}, found {}", node.kind()), hint)
+        self.refuse_with(node, format!("expected {what}, found {}", node.kind()), hint)
     }
-    #[cfg(feature = "program")]
     fn push(&self, node: &Node, finding: impl FnOnce() -> Finding) {
         let finding = if node.line > 0 { finding().at(node.line, node.column) } else { finding() };
         let mut list = self.list.borrow_mut();
@@ -166,9 +165,6 @@ impl Faults {
             list.push(finding);
         }
     }
-    /// A page's bank was found faultless: what is checked there alone is not read again.
-    #[cfg(not(feature = "program"))]
-    fn push(&self, _: &Node, _: impl FnOnce() -> Finding) {}
     /// Has anything been found?
     pub fn is_empty(&self) -> bool {
         self.list.borrow().is_empty()
@@ -180,16 +176,10 @@ impl Faults {
     /// All findings in the order of the file.
     pub fn into_sorted(self, file: &str) -> Findings {
         let mut list: Findings = self.list.into_inner().in_file(file);
-        if WHOLE {
-            list.sort_by_key(|f| f.at.unwrap_or((usize::MAX, 0)));
-        }
+        list.sort_by_key(|f| f.at.unwrap_or((usize::MAX, 0)));
         list
     }
 }
-
-/// Is all of a bank read, and looked through for faults? A page reads what solving and judging need; its sheet was made from a
-/// bank that was looked through.
-pub const WHOLE: bool = cfg!(feature = "program");
 
 /// The fields of a map, taken by name; what is left over where they go out of scope is a finding.
 pub struct Fields<'n> {
@@ -203,23 +193,20 @@ impl<'n> Fields<'n> {
     /// Opens a map; anything else is a finding.
     pub fn open(node: &'n Node, what: &str, faults: &'n Faults) -> Option<Self> {
         let Value::Map(entries) = &node.value else {
-            return faults.refuse(node, told!("expected {what}, found {}", node.kind()));
+            return faults.refuse(node, format!("expected {what}, found {}", node.kind()));
         };
         for (i, (key, _)) in entries.iter().enumerate() {
-            if WHOLE
-                && let Some(text) = key.text()
+            if let Some(text) = key.text()
                 && entries[..i].iter().any(|(k, _)| k.text() == Some(text))
             {
-                faults.hint(key, told!("`{}` stands twice", shorten(text)), "remove one of them");
+                faults.hint(key, format!("`{}` stands twice", shorten(text)), "remove one of them");
             }
         }
         Some(Self { node, faults, asked: Vec::new() })
     }
     /// A field that may be absent.
     pub fn get(&mut self, name: &'static str) -> Option<&'n Node> {
-        if WHOLE {
-            self.asked.push(name);
-        }
+        self.asked.push(name);
         self.node.field(name)
     }
     /// Several fields that may be absent.
@@ -230,8 +217,8 @@ impl<'n> Fields<'n> {
     pub fn need(&mut self, name: &'static str, example: &str) -> Option<&'n Node> {
         let found = self.get(name);
         if found.is_none() {
-            let hint = told!("for example `{name}: {example}`");
-            self.faults.hint(self.node, told!("`{name}` is missing"), hint);
+            let hint = format!("for example `{name}: {example}`");
+            self.faults.hint(self.node, format!("`{name}` is missing"), hint);
         }
         found
     }
@@ -259,16 +246,13 @@ impl<'n> Fields<'n> {
 impl Drop for Fields<'_> {
     /// Whatever was not asked for is unknown.
     fn drop(&mut self) {
-        if !WHOLE {
-            return;
-        }
         let Value::Map(entries) = &self.node.value else { return };
         for (key, _) in entries {
             match key.text() {
                 Some(text) if self.asked.contains(&text) => {}
                 Some(text) => {
                     let hint = spell::hint(text, "fields known here", self.asked.iter().copied());
-                    self.faults.hint(key, told!("unknown field `{}`", shorten(text)), hint);
+                    self.faults.hint(key, format!("unknown field `{}`", shorten(text)), hint);
                 }
                 None => self.faults.at(key, "a field name must be a text"),
             }
@@ -280,7 +264,7 @@ impl Drop for Fields<'_> {
 pub fn text(node: &Node, what: &str, faults: &Faults) -> Option<String> {
     let found = node.text().map(str::trim).filter(|t| !t.is_empty());
     if found.is_none() {
-        faults.at(node, told!("expected {what}, found {}", node.kind()));
+        faults.at(node, format!("expected {what}, found {}", node.kind()));
     }
     found.map(str::to_owned)
 }
@@ -289,7 +273,7 @@ pub fn text(node: &Node, what: &str, faults: &Faults) -> Option<String> {
 pub fn items<'n>(node: &'n Node, what: &str, faults: &Faults) -> Option<&'n [Node]> {
     match &node.value {
         Value::List(items) => Some(items),
-        _ => faults.refuse(node, told!("expected {what}, found {}", node.kind())),
+        _ => faults.refuse(node, format!("expected {what}, found {}", node.kind())),
     }
 }
 
@@ -297,8 +281,8 @@ pub fn items<'n>(node: &'n Node, what: &str, faults: &Faults) -> Option<&'n [Nod
 pub fn choice<T: Copy>(node: &Node, words: &[(&str, T)], faults: &Faults) -> Option<T> {
     let found = node.text().and_then(|t| words.iter().find(|(w, _)| *w == t.trim()));
     if found.is_none() {
-        let known: Vec<String> = words.iter().map(|(w, _)| told!("`{w}`")).collect();
-        faults.at(node, told!("expected {}, found {}", known.join(" or "), node.kind()));
+        let known: Vec<String> = words.iter().map(|(w, _)| format!("`{w}`")).collect();
+        faults.at(node, format!("expected {}, found {}", known.join(" or "), node.kind()));
     }
     found.map(|(_, meaning)| *meaning)
 }
@@ -307,7 +291,7 @@ pub fn choice<T: Copy>(node: &Node, words: &[(&str, T)], faults: &Faults) -> Opt
 pub fn whole(node: &Node, least: u32, most: u32, faults: &Faults) -> Option<u32> {
     let found = node.text().and_then(|t| t.trim().parse::<u32>().ok()).filter(|n| (least..=most).contains(n));
     if found.is_none() {
-        faults.at(node, told!("expected a whole number from {least} to {most}, found {}", node.kind()));
+        faults.at(node, format!("expected a whole number from {least} to {most}, found {}", node.kind()));
     }
     found
 }
@@ -315,7 +299,7 @@ pub fn whole(node: &Node, least: u32, most: u32, faults: &Faults) -> Option<u32>
 /// All entries of a map whose names are free (ids, symbols), each name once.
 pub fn named<'n>(node: &'n Node, what: &str, faults: &Faults) -> Vec<(&'n str, &'n Node, &'n Node)> {
     let Value::Map(entries) = &node.value else {
-        faults.at(node, told!("expected {what}, found {}", node.kind()));
+        faults.at(node, format!("expected {what}, found {}", node.kind()));
         return Vec::new();
     };
     let mut list: Vec<(&str, &Node, &Node)> = Vec::new();
@@ -325,7 +309,7 @@ pub fn named<'n>(node: &'n Node, what: &str, faults: &Faults) -> Vec<(&'n str, &
             continue;
         };
         if list.iter().any(|(n, _, _)| *n == name) {
-            faults.hint(key, told!("`{}` stands twice", shorten(name)), "remove one of them");
+            faults.hint(key, format!("`{}` stands twice", shorten(name)), "remove one of them");
             continue;
         }
         list.push((name, key, value));
@@ -356,7 +340,7 @@ pub fn known_as<'s>(
 ) -> Option<usize> {
     let found = known.clone().position(|one| one == name);
     if found.is_none() {
-        faults.maybe(node, told!("`{}` is no {what}", shorten(name)), spell::did_you_mean(name, known));
+        faults.maybe(node, format!("`{}` is no {what}", shorten(name)), spell::did_you_mean(name, known));
     }
     found
 }

@@ -2,8 +2,7 @@
 use crate::bank::any::AnyNumber;
 use crate::bank::measure;
 use crate::bank::need::Need;
-use crate::bank::node::{Faults, Fields, Node, Value, WHOLE, items, known_as, named, shorten, some_named};
-use crate::finding::told;
+use crate::bank::node::{Faults, Fields, Node, Value, items, known_as, named, shorten, some_named};
 use crate::scene::{
     AsIf, Body, Carrier, Coordinate, Couple, Degree, Derived, End, Formulas, GivenForce, Growth, Joint,
     JointKind, Line, Mass, Num, Part, Particle, Place, Planar, Push, Ray, RotaryInertia, Scene, Shape, Slope,
@@ -207,16 +206,15 @@ impl SceneReader<'_> {
         let stays = end_node.is_some_and(|n| n.field("stops slipping").is_some());
         let next_node = fields.get("next");
         let (end, heading) = end?;
-        if WHOLE
-            && let [body] = &bodies[..]
+        if let [body] = &bodies[..]
             && body.is_pinned()
             && !self.angled.get()
             && !matches!(end, End::AtOnce)
         {
             f.hint(
                 start_node.unwrap_or(node),
-                told!("the angle at which `{}` starts is missing", body.name),
-                told!("write `start: {{{}: {{angle: phi0}}}}`", body.name),
+                format!("the angle at which `{}` starts is missing", body.name),
+                format!("write `start: {{{}: {{angle: phi0}}}}`", body.name),
             );
         }
         if let [Body { planar: Some(planar), .. }] = &mut bodies[..]
@@ -244,8 +242,7 @@ impl SceneReader<'_> {
         };
         scene.still_turns();
         scene.round_from_start();
-        if WHOLE
-            && let Some(lead) = scene.lead()
+        if let Some(lead) = scene.lead()
             && !matches!(scene.end, End::Time(..))
             && scene.ending_coordinate().body != lead
         {
@@ -253,8 +250,8 @@ impl SceneReader<'_> {
                 [scene.ending_coordinate().body, lead].map(|body| scene.bodies[body].name.as_str());
             f.hint(
                 end_node.unwrap_or(node),
-                told!("the motion is followed by the angle of `{leads}`, not by that of `{asked}`"),
-                told!("end it at `of: {leads}`, or give the angle at the start of `{asked}` in its place"),
+                format!("the motion is followed by the angle of `{leads}`, not by that of `{asked}`"),
+                format!("end it at `of: {leads}`, or give the angle at the start of `{asked}` in its place"),
             );
         }
         if let Some(n) = next_node {
@@ -267,9 +264,6 @@ impl SceneReader<'_> {
     /// Kinetic and static coefficients of contacts that may roll or slip, and roll here: their tie has no kinetic one. Masses that are taken
     /// away, and those from which they are.
     fn below(&self, ties: &[Tie], bodies: &[Body], joints: &[Joint]) -> Vec<(Num, Num)> {
-        if !WHOLE {
-            return Vec::new();
-        }
         let rolls = |(tie, mu_k): &(usize, Num)| match ties.get(*tie) {
             Some(Tie::Roll { mu_s: Some(mu_s), .. }) => Some((*mu_k, *mu_s)),
             _ => None,
@@ -333,14 +327,14 @@ impl SceneReader<'_> {
                 let (key, value) = &entries[0];
                 Some((key.text().unwrap_or(""), key, value))
             }
-            _ => self.faults.refuse(node, told!("expected {what}, found {}", node.kind())),
+            _ => self.faults.refuse(node, format!("expected {what}, found {}", node.kind())),
         }
     }
 
     fn unknown(&self, key: &Node, what: &str, known: &[&str]) {
         let text = key.text().unwrap_or("");
         let hint = spell::hint(text, "known", known.iter().copied());
-        self.faults.hint(key, told!("`{}` is no {what}", shorten(text)), hint);
+        self.faults.hint(key, format!("`{}` is no {what}", shorten(text)), hint);
     }
 
     fn surfaces<'n>(&self, node: &'n Node) -> Vec<NamedSurface<'n>> {
@@ -371,7 +365,7 @@ impl SceneReader<'_> {
         let mut fields = Fields::open(node, "what carries the scene (along, speed, acceleration)", f)?;
         let along = fields.need("along", "horizontal");
         let [speed, acceleration] = fields.each(["speed", "acceleration"]);
-        if WHOLE && speed.is_none() && acceleration.is_none() {
+        if speed.is_none() && acceleration.is_none() {
             f.hint(node, "neither a speed nor an acceleration is given", "write `acceleration: a`");
         }
         let mut words: Vec<(&str, Slope)> = surfaces.iter().map(|s| (s.name, s.slope)).collect();
@@ -391,10 +385,10 @@ impl SceneReader<'_> {
         for (name, key, value) in
             some_named(node, "bodies by name", "a scene has at least one body", self.faults)
         {
-            if WHOLE && !plain_name(name) {
+            if !plain_name(name) {
                 self.faults.hint(
                     key,
-                    told!("`{}` is no name for a body", shorten(name)),
+                    format!("`{}` is no name for a body", shorten(name)),
                     "letters, digits and `_`, beginning with a letter",
                 );
             }
@@ -409,7 +403,7 @@ impl SceneReader<'_> {
         for surface in surfaces.iter().filter(|s| !self.lost.get() && !used(s)) {
             self.faults.hint(
                 node,
-                told!("nothing moves along the surface `{}`", surface.name),
+                format!("nothing moves along the surface `{}`", surface.name),
                 "remove the surface, or write `moves: along ...`",
             );
         }
@@ -425,11 +419,10 @@ impl SceneReader<'_> {
             body.particles = self.particles(particles);
             return body;
         }
-        #[cfg(feature = "program")]
         for (about, _) in crate::bank::synonyms::ABOUT_PIN {
             if let Some(n) = node.field(about).and_then(|_| fields.get(about)) {
                 let hint = "make data of this, of the distance from the pin to the mass centre, and of the mass, or give all as constants; it is no smaller than that of the mass at its mass centre";
-                f.hint(n, told!("`{about}` cannot be put about the mass centre"), hint);
+                f.hint(n, format!("`{about}` cannot be put about the mass centre"), hint);
             }
         }
         let [mass, weight] = fields.each(["mass", "weight"]);
@@ -442,7 +435,7 @@ impl SceneReader<'_> {
             let removed = fields.get("mass removed");
             body.removed = removed.is_some();
             if let (Some(n), Some(_)) = (removed, mass.or(weight)) {
-                f.hint(n, told!("`{name}` has a mass, and a mass that is taken away"), "keep one of them");
+                f.hint(n, format!("`{name}` has a mass, and a mass that is taken away"), "keep one of them");
             }
             body.mass = self.mass(node, mass.or(removed), weight);
             body.planar = Some(self.planar(&mut fields, &body, moves == planar::PLANES[1]));
@@ -453,7 +446,7 @@ impl SceneReader<'_> {
         if given > 1 {
             f.hint(
                 node,
-                told!("`{name}` has its inertia given {given} times"),
+                format!("`{name}` has its inertia given {given} times"),
                 "keep one of `shape`, `radius of gyration`, `moment of inertia`, `parts`",
             );
         }
@@ -465,14 +458,12 @@ impl SceneReader<'_> {
             fields.need("moves", "along incline");
         }
         body.mass = self.mass(node, mass, weight);
-        if WHOLE {
-            excluded(name, node, f);
-        }
+        excluded(name, node, f);
         if let Some(swings) = swings {
             if given == 0 {
                 f.hint(
                     node,
-                    told!("`{name}` has no inertia, so it cannot swing"),
+                    format!("`{name}` has no inertia, so it cannot swing"),
                     "give it a `shape`, a `radius of gyration` or a `moment of inertia`",
                 );
             }
@@ -553,15 +544,13 @@ impl SceneReader<'_> {
         let mut radii = Vec::new();
         for (radius, key, value) in named(node, "radii by name", self.faults) {
             if !plain_name(radius) {
-                let message = told!("`{}` is no name for a radius", shorten(radius));
+                let message = format!("`{}` is no name for a radius", shorten(radius));
                 self.faults.hint(key, message, "a name such as `rim`");
             }
             // The use is recorded when a tie acts at this radius.
             let before = self.met.borrow().uses.len();
             if let Some(num) = self.number(value, Need::RADIUS) {
-                if WHOLE {
-                    self.met.borrow_mut().uses.truncate(before);
-                }
+                self.met.borrow_mut().uses.truncate(before);
                 radii.push((radius.to_owned(), num));
             }
         }
@@ -576,7 +565,7 @@ impl SceneReader<'_> {
             Some(n) => self.word(n, "from where the angle counts", &zeros),
             None => f.refuse_with(
                 node,
-                told!("`angle` of `{}` is missing", body.name),
+                format!("`angle` of `{}` is missing", body.name),
                 "write `angle: from upright` (mass centre above the pin) or `angle: from hanging`",
             ),
         };
@@ -596,7 +585,7 @@ impl SceneReader<'_> {
                 (Some(()), Some(RotaryInertia::Shape(Shape::Rod, length))) => Some(Place::HalfOf(*length)),
                 (Some(()), Some(_)) => f.refuse_with(
                     node,
-                    told!("`{}` is no rod, so it has no end", body.name),
+                    format!("`{}` is no rod, so it has no end", body.name),
                     "write `pinned: {distance: h}` with the distance from the pin to the mass centre",
                 ),
                 _ => None,
@@ -626,20 +615,20 @@ impl SceneReader<'_> {
                 Some(s) => (s.slope, true),
                 None => {
                     let hint = if surfaces.is_empty() {
-                        told!(
+                        format!(
                             "name it under `surfaces`, for example `surfaces: {{incline: {{slope: theta}}}}`"
                         )
                     } else {
                         spell::hint(on, "surfaces", surfaces.iter().map(|s| s.name))
                     };
-                    self.faults.hint(moves, told!("`{}` is no surface of this scene", shorten(on)), hint);
+                    self.faults.hint(moves, format!("`{}` is no surface of this scene", shorten(on)), hint);
                     return Err(());
                 }
             }
         } else {
             self.faults.hint(
                 moves,
-                told!("expected how the body moves, found {}", moves.kind()),
+                format!("expected how the body moves, found {}", moves.kind()),
                 "`along SURFACE`, `vertically`, `about a fixed axle` or `in the plane`",
             );
             return Err(());
@@ -758,7 +747,7 @@ impl SceneReader<'_> {
             if let Some(b) = body
                 && !bodies[b].turns
             {
-                f.at(value, told!("`{}` has no inertia, so a couple cannot turn it", bodies[b].name));
+                f.at(value, format!("`{}` has no inertia, so a couple cannot turn it", bodies[b].name));
                 continue;
             }
             if let (Some(body), Some(moment_n_m), Some(forward)) = (body, moment, forward) {
@@ -781,12 +770,12 @@ impl SceneReader<'_> {
         if !bodies[body?].is_pinned() {
             return f.refuse_with(
                 node,
-                told!("`{name}` is not pinned"),
+                format!("`{name}` is not pinned"),
                 "a spring on a cord is written `cord: {from: ..., spring: {...}}` under `ties`",
             );
         }
         if count > 0 {
-            f.hint(node, told!("`{name}` has a spring already"), "a scene has at most one spring");
+            f.hint(node, format!("`{name}` has a spring already"), "a scene has at most one spring");
         }
         bodies[body?].spring(body?, at?, anchor?, (stiffness?, rest?))
     }
@@ -830,14 +819,14 @@ impl SceneReader<'_> {
                 }
                 if let Some(n) = speed {
                     if bodies[body].line.is_none() && (!angled || bodies[body].is_pinned()) {
-                        f.hint(n, told!("`{name}` does not move along a line"), "write `spin:`");
+                        f.hint(n, format!("`{name}` does not move along a line"), "write `spin:`");
                     } else if let Some(v) = self.at_start(n, Need::VELOCITY) {
                         list.push(Start::Speed(Coordinate { body, degree: Degree::Along }, v));
                     }
                 }
                 if let Some(n) = spin {
                     if !bodies[body].turns {
-                        f.hint(n, told!("`{name}` does not turn"), "write `speed:`");
+                        f.hint(n, format!("`{name}` does not turn"), "write `speed:`");
                     } else if let Some(w) = self.at_start(n, Need::SPIN) {
                         list.push(Start::Speed(Coordinate { body, degree: Degree::Turn }, w));
                     }

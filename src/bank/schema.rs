@@ -1,21 +1,17 @@
 //! The file format of a bank: which fields there are and what they mean. All findings are collected.
 use crate::bank::asked::AskedContext;
-#[cfg(feature = "program")]
 use crate::bank::course;
 use crate::bank::decimal::Decimal;
 use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::need::Need;
 use crate::bank::node::{
-    Faults, Fields, Node, Value, WHOLE, choice, items, named, shorten, some_named, text, whole,
+    Faults, Fields, Node, Value, choice, items, named, shorten, some_named, text, whole,
 };
 use crate::bank::scene::{self, DatumSymbol, SceneRead, Touching};
 use crate::bank::{
     Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative, TEMPLATE_NAMES, Variables,
     any, asked, draw, inverse, labels, measure, mistake, soundness,
 };
-use crate::finding::told;
-#[cfg(not(feature = "program"))]
-use crate::policy::Hints;
 use crate::policy::Policy;
 use crate::scene::{AsIf, End, Label, Owner, Quantity, Scene, Span, Term};
 use crate::solve::outcome::{CheckKind, Motion};
@@ -120,13 +116,14 @@ pub fn bank(node: &Node, variables: Option<Variables>, faults: &Faults) -> Optio
         figure: FigureLabels::Values,
     };
     let common = usual.with(&mut fields);
-    let grading = fields.get("grading").map_or_else(Policy::default, |n| settings(n, faults));
+    let grading =
+        fields.get("grading").map_or_else(Policy::default, |n| course::read(n, &Policy::default(), faults));
     let problems_node = fields.need("problems", "{pulled-rolling: {...}}");
     let mut problems = Vec::new();
     if let Some(n) = problems_node {
         for (name, key, value) in some_named(n, "problems by id", "a bank has at least one problem", faults) {
             if !plain_id(name) {
-                faults.hint(key, told!("`{}` is no id of a problem", shorten(name)), ID_HINT);
+                faults.hint(key, format!("`{}` is no id of a problem", shorten(name)), ID_HINT);
             }
             if let Some(p) = problem(name, value, &common, variables, faults) {
                 problems.push(p);
@@ -145,22 +142,6 @@ pub fn bank(node: &Node, variables: Option<Variables>, faults: &Faults) -> Optio
     })
 }
 
-/// The settings that bear on marks.
-#[cfg(feature = "program")]
-fn settings(node: &Node, faults: &Faults) -> Policy {
-    course::read(node, &Policy::default(), faults)
-}
-
-/// Of the settings that bear on marks a sheet carries only what its page tells of wrong methods.
-#[cfg(not(feature = "program"))]
-fn settings(node: &Node, faults: &Faults) -> Policy {
-    let mut policy = Policy::default();
-    if let Some(mut fields) = Fields::open(node, "settings (hints)", faults) {
-        fields.set("hints", &mut policy.hints, |n, f| choice(n, Hints::WORDS, f));
-    }
-    policy
-}
-
 const FIGURE_LABELS: [(&str, FigureLabels); 3] =
     [("values", FigureLabels::Values), ("symbols", FigureLabels::Symbols), ("none", FigureLabels::None)];
 const UNITS: [(&str, bool); 2] = [("optional", false), ("required", true)];
@@ -175,7 +156,7 @@ fn plain_id(text: &str) -> bool {
 fn id(node: &Node, what: &str, faults: &Faults) -> Option<String> {
     match node.text() {
         Some(t) if plain_id(t) => Some(t.to_owned()),
-        _ => faults.refuse_with(node, told!("{} is no id of {what}", node.kind()), ID_HINT),
+        _ => faults.refuse_with(node, format!("{} is no id of {what}", node.kind()), ID_HINT),
     }
 }
 
@@ -184,7 +165,7 @@ fn gravity(node: &Node, faults: &Faults) -> Option<(Decimal, Unit)> {
     match measure::decimal_constant(node.text().unwrap_or("")) {
         Ok((value, unit)) if measure::fits(&unit, "m/s^2") && value.value > 0 => Some((value, unit)),
         Ok((_, unit)) if !measure::fits(&unit, "m/s^2") => {
-            faults.refuse_with(node, told!("{} is no acceleration of free fall", node.kind()), example)
+            faults.refuse_with(node, format!("{} is no acceleration of free fall", node.kind()), example)
         }
         Ok(_) => faults.refuse_with(node, "the acceleration of free fall is above 0", example),
         Err(message) => faults.refuse_with(node, message, example),
@@ -216,7 +197,7 @@ fn relative(node: &Node, faults: &Faults) -> Option<Relative> {
         }
         faults.refuse_with(
             n,
-            told!("a relative tolerance of {} makes no sense", n.kind()),
+            format!("a relative tolerance of {} makes no sense", n.kind()),
             "above 0 and below 100 %",
         )
     };
@@ -257,7 +238,7 @@ fn tolerance(node: &Node, unit: Option<&Unit>, faults: &Faults) -> (Option<Relat
         match measure::constant(n.text().unwrap_or(""), unit.ascii()) {
             Ok(x) if x >= 0.0 => Some(x),
             Ok(_) => faults.refuse(n, "a tolerance is not negative"),
-            Err(message) => faults.refuse_with(n, message, told!("for example `0.5 {}`", unit.ascii())),
+            Err(message) => faults.refuse_with(n, message, format!("for example `0.5 {}`", unit.ascii())),
         }
     });
     (relative, absolute)
@@ -276,13 +257,13 @@ fn problem(
     // A problem of constants alone has none.
     let data_node = fields.get("data");
     let data = data_node.map_or_else(Vec::new, |n| data_of(n, faults));
-    if let Some(n) = data_node.filter(|_| WHOLE && data.len() > MAX_DATA) {
-        faults.at(n, told!("a problem has at most {MAX_DATA} data, this one {}", data.len()));
+    if let Some(n) = data_node.filter(|_| data.len() > MAX_DATA) {
+        faults.at(n, format!("a problem has at most {MAX_DATA} data, this one {}", data.len()));
     }
     let scene_node = fields.get("scene");
     let regimes = fields.read("regimes", |n, f| Some(regimes(n, f))).unwrap_or_default();
     let read = ProblemRead::new(node, data, scene_node, regimes, faults);
-    let margins = margins(fields.get("margins").filter(|_| WHOLE), faults);
+    let margins = margins(fields.get("margins"), faults);
     let mut common = common.with(&mut fields);
     let [bounds_node, cases_node] = fields.each(["bounds", "cases"]);
     let questions_node = fields.need("questions", "{v: {ask: the speed of the wheel, unit: m/s}}");
@@ -294,7 +275,7 @@ fn problem(
     let mut cases = read.cases(cases_node);
     // The numbers of a book cannot be drawn anew: `lint` tells how well they determine an answer.
     let constant = |draw: &Draw| matches!(draw, Draw::Always { .. });
-    if WHOLE && cases.iter().all(|case| case.draws.iter().flatten().all(constant)) {
+    if cases.iter().all(|case| case.draws.iter().flatten().all(constant)) {
         common.usual_cond = COND_LIMITS.2;
     }
     let common = &common;
@@ -312,9 +293,7 @@ fn problem(
             uses.extend(asked::put(n, scene, &AskedContext { data: &data, case: &case.name }, faults));
         }
     }
-    if WHOLE {
-        read.review(&cases);
-    }
+    read.review(&cases);
     // Questions and bounds are read against each scene, since labels hold the index of a body.
     let scenes: Vec<(&str, &Scene)> =
         cases.iter().filter_map(|c| Some((c.name.as_str(), c.read.as_ref()?.scene.as_ref()?))).collect();
@@ -333,9 +312,7 @@ fn problem(
         None => questions.into_iter().filter_map(|(_, q)| q).collect(),
         Some(ids) => ids.iter().filter_map(|id| questions.iter().find(|(n, _)| n == id)?.1.clone()).collect(),
     };
-    if WHOLE {
-        review_any(&cases, &asked, questions_node, bounds_node, &data, faults);
-    }
+    review_any(&cases, &asked, questions_node, bounds_node, &data, faults);
     let follows =
         follows_node.map_or_else(Vec::new, |n| mistake::follows(n, (&asked, whole), &context, faults));
     if let Some(variables) = variables {
@@ -493,8 +470,8 @@ impl<'n> ProblemRead<'n> {
     /// A case with its own share, draws, scene, regimes and bounds.
     fn own_case(&self, name: &str, key: &Node, node: &'n Node) -> Option<CaseRead<'n>> {
         let faults = self.faults;
-        if WHOLE && (name.trim().is_empty() || name.chars().count() > 64) {
-            faults.at(key, told!("`{}` is no name for a case", shorten(name)));
+        if name.trim().is_empty() || name.chars().count() > 64 {
+            faults.at(key, format!("`{}` is no name for a case", shorten(name)));
         }
         let mut fields = Fields::open(node, "a case (share, draws, ...)", faults)?;
         let mut case = self.case(name, node);
@@ -504,7 +481,7 @@ impl<'n> ProblemRead<'n> {
         {
             let Some(i) = self.data.iter().position(|d| d.datum.symbol == symbol) else {
                 let hint = spell::hint(symbol, "symbols", self.symbols.iter().map(|s| s.name.as_str()));
-                faults.hint(key, told!("`{}` is no symbol of the data", shorten(symbol)), hint);
+                faults.hint(key, format!("`{}` is no symbol of the data", shorten(symbol)), hint);
                 continue;
             };
             let absent = is_none(value);
@@ -595,8 +572,6 @@ impl<'n> ProblemRead<'n> {
             let slipping = || contacts().filter(|(i, _)| touching.slips(*i));
             let (none, all) = (slipping().count() == 0, slipping().count() == read.touches.len());
             let word = match (none, all) {
-                // A sheet names no cases.
-                _ if !WHOLE => String::new(),
                 (true, _) => "rolls".to_owned(),
                 (_, true) => "slips".to_owned(),
                 _ => {
@@ -607,9 +582,8 @@ impl<'n> ProblemRead<'n> {
             };
             // Of several contacts the body that the regime tells of may roll or slip.
             let fits = |r: &&String| !none && !all || slips(r) == all;
-            // Nor does it tell regimes.
-            let regimes: Vec<String> = case.regimes.iter().filter(|r| WHOLE && fits(r)).cloned().collect();
-            if !WHOLE || !regimes.is_empty() || case.regimes.is_empty() {
+            let regimes: Vec<String> = case.regimes.iter().filter(|r| fits(r)).cloned().collect();
+            if !regimes.is_empty() || case.regimes.is_empty() {
                 kept.push((touching, word, regimes));
             }
         }
@@ -620,8 +594,7 @@ impl<'n> ProblemRead<'n> {
             let reading = match (touching == Touching::default(), kept) {
                 (true, _) => read.clone(),
                 (_, true) => self.read(node, &case.symbols, touching),
-                _ if WHOLE => scene::read(node, &case.symbols, touching, self.data.len(), &Faults::default()),
-                _ => SceneRead::default(),
+                _ => scene::read(node, &case.symbols, touching, self.data.len(), &Faults::default()),
             };
             (touching, reading)
         });
@@ -629,10 +602,10 @@ impl<'n> ProblemRead<'n> {
         let one = |(touching, word, regimes): (Touching, String, Vec<String>)| {
             let mut one = case.clone();
             one.regimes = regimes;
-            let others = readings.iter().filter(|(t, _)| WHOLE && *t != touching);
+            let others = readings.iter().filter(|(t, _)| *t != touching);
             one.rivals = others.filter_map(|(_, reading)| reading.scene.clone()).collect();
             one.read = readings.iter().find(|(t, _)| *t == touching).map(|(_, reading)| reading.clone());
-            if WHOLE && several {
+            if several {
                 one.name = if case.name.is_empty() { word } else { format!("{}, {word}", case.name) };
             }
             one
@@ -691,7 +664,7 @@ impl CaseRead<'_> {
         faults: &Faults,
     ) -> Option<Case> {
         let scene = self.read.as_ref().and_then(|r| r.scene.as_ref());
-        let bounds = [bounds, self.bounds].into_iter().flatten().filter(|_| WHOLE);
+        let bounds = [bounds, self.bounds].into_iter().flatten();
         let bounds = bounds.flat_map(|n| bounds_of(n, data, scene, faults)).collect();
         let SceneRead { scene, touches, .. } = self.read?;
         let gravity = Draw::Always { value: gravity.value, decimals: gravity.decimals };
@@ -719,17 +692,15 @@ fn draw(node: &Node, faults: &Faults) -> Option<Draw> {
 fn data_of<'n>(node: &'n Node, faults: &'n Faults) -> Vec<DatumRead<'n>> {
     let mut list = Vec::new();
     for (symbol, key, value) in named(node, "data by symbol", faults) {
-        if WHOLE {
-            if !scene::plain_name(symbol) {
-                let hint = "letters, digits and `_`, beginning with a letter, such as `mu_s`";
-                faults.hint(key, told!("`{}` is no symbol", shorten(symbol)), hint);
-            } else if symbol == "g" {
-                let hint = "write `gravity: 9.81 m/s^2` at the top of the bank";
-                faults.hint(key, "`g` is the acceleration of free fall", hint);
-            } else if TEMPLATE_NAMES.contains(&symbol) {
-                let message = told!("`{symbol}` has a meaning of its own in statements");
-                faults.hint(key, message, "choose another symbol");
-            }
+        if !scene::plain_name(symbol) {
+            let hint = "letters, digits and `_`, beginning with a letter, such as `mu_s`";
+            faults.hint(key, format!("`{}` is no symbol", shorten(symbol)), hint);
+        } else if symbol == "g" {
+            let hint = "write `gravity: 9.81 m/s^2` at the top of the bank";
+            faults.hint(key, "`g` is the acceleration of free fall", hint);
+        } else if TEMPLATE_NAMES.contains(&symbol) {
+            let message = format!("`{symbol}` has a meaning of its own in statements");
+            faults.hint(key, message, "choose another symbol");
         }
         let mut datum = Datum {
             symbol: symbol.to_owned(),
@@ -819,7 +790,7 @@ fn regimes(node: &Node, faults: &Faults) -> Vec<String> {
             list.push(text.to_owned());
         } else {
             let hint = spell::hint(text, "regimes", Motion::ALL.iter().map(|m| m.word()));
-            faults.hint(item, told!("expected a regime, found {}", item.kind()), hint);
+            faults.hint(item, format!("expected a regime, found {}", item.kind()), hint);
         }
     }
     list
@@ -831,7 +802,7 @@ fn margins(node: Option<&Node>, faults: &Faults) -> Vec<(CheckKind, f64)> {
     for (name, key, value) in node.map_or_else(Vec::new, |n| named(n, "margins by check", faults)) {
         let Some(kind) = CheckKind::ALL.iter().copied().find(|k| k.name() == name) else {
             let hint = spell::hint(name, "checks", CheckKind::ALL.iter().map(|k| k.name()));
-            faults.hint(key, told!("`{}` is no check", shorten(name)), hint);
+            faults.hint(key, format!("`{}` is no check", shorten(name)), hint);
             continue;
         };
         match share(value, faults) {
@@ -839,9 +810,11 @@ fn margins(node: Option<&Node>, faults: &Faults) -> Vec<(CheckKind, f64)> {
                 list.retain(|(k, _)| *k != kind);
                 list.push((kind, s));
             }
-            Some(_) => {
-                faults.hint(value, told!("a margin of {} cannot hold", value.kind()), "from 0 to below 100 %")
-            }
+            Some(_) => faults.hint(
+                value,
+                format!("a margin of {} cannot hold", value.kind()),
+                "from 0 to below 100 %",
+            ),
             None => {}
         }
     }
@@ -857,14 +830,14 @@ fn questions(
     let mut out = Vec::new();
     for (id, key, value) in some_named(node, "questions by id", "a problem has at least one question", faults)
     {
-        if WHOLE && !scene::plain_name(id) {
+        if !scene::plain_name(id) {
             let hint = match id.split_once('.') {
                 Some((of, quantity)) if scene::plain_name(of) && scene::plain_name(quantity) => {
-                    told!("write `{of}_{quantity}: {{quantity: {id}, ...}}`")
+                    format!("write `{of}_{quantity}: {{quantity: {id}, ...}}`")
                 }
                 _ => "letters, digits and `_`, beginning with a letter".to_owned(),
             };
-            faults.hint(key, told!("`{}` is no id of a question", shorten(id)), hint);
+            faults.hint(key, format!("`{}` is no id of a question", shorten(id)), hint);
         }
         out.push((id.to_owned(), question(id, key, value, common, scenes, faults)));
     }
@@ -903,8 +876,8 @@ fn question(
     if is_word {
         let fields = [(unit_node, "unit"), (tolerance_node, "tolerance"), (cond_node, "limit")];
         for (node, field) in fields.into_iter().filter_map(|(node, field)| Some((node?, field))) {
-            let hint = told!("remove the {field}");
-            faults.hint(node, told!("`{name}` is answered with a word"), hint);
+            let hint = format!("remove the {field}");
+            faults.hint(node, format!("`{name}` is answered with a word"), hint);
         }
     }
     // What a word does not have is told above, and not read.
@@ -944,12 +917,12 @@ fn asked_label(name: &str, place: &Node, scenes: &[(&str, &Scene)], faults: &Fau
             Ok(_) => {
                 return faults.refuse_with(
                     place,
-                    told!("`{name}` belongs to another body in the case `{case}`"),
+                    format!("`{name}` belongs to another body in the case `{case}`"),
                     "list the bodies of all cases in the same order",
                 );
             }
             Err((message, hint)) => {
-                let message = if case.is_empty() { message } else { told!("{message} (case `{case}`)") };
+                let message = if case.is_empty() { message } else { format!("{message} (case `{case}`)") };
                 faults.maybe(place, message, hint);
                 return None;
             }
@@ -965,10 +938,10 @@ fn asked_unit(name: &str, node: Option<&Node>, quantity: Quantity, faults: &Faul
         // That of an expression is checked where it is read.
         Ok(unit) if quantity == Quantity::Value => return Some(unit),
         Ok(unit) if measure::fits(&unit, quantity.unit()) => return Some(unit),
-        Ok(unit) => told!("`{name}`: {}", measure::mismatch(&unit, quantity.unit())),
+        Ok(unit) => format!("`{name}`: {}", measure::mismatch(&unit, quantity.unit())),
         Err(message) => message,
     };
-    faults.refuse_with(node, message, told!("for example `unit: {}`", quantity.unit()))
+    faults.refuse_with(node, message, format!("for example `unit: {}`", quantity.unit()))
 }
 
 /// Wrong methods near which an answer may lie, with the reasons.
@@ -989,7 +962,7 @@ fn unowned(name: &str) -> Result<Label, (String, Option<String>)> {
     match Quantity::from_name(bare) {
         Some(quantity) => Ok(Label { quantity, of: Owner::Scene }),
         None => Err((
-            told!("`{}` is no quantity", shorten(name)),
+            format!("`{}` is no quantity", shorten(name)),
             spell::did_you_mean(bare, Quantity::ALL.iter().map(|q| q.name())),
         )),
     }
@@ -1005,9 +978,9 @@ fn asks(node: &Node, questions: &[(String, Option<Question>)], faults: &Faults) 
         let text = item.text().unwrap_or("").trim();
         if !questions.iter().any(|(id, _)| id == text) {
             let hint = spell::hint(text, "questions", questions.iter().map(|(id, _)| id.as_str()));
-            faults.hint(item, told!("expected the id of a question, found {}", item.kind()), hint);
+            faults.hint(item, format!("expected the id of a question, found {}", item.kind()), hint);
         } else if list.iter().any(|l| l == text) {
-            faults.at(item, told!("`{text}` is asked twice"));
+            faults.at(item, format!("`{text}` is asked twice"));
         } else {
             list.push(text.to_owned());
         }
@@ -1053,12 +1026,12 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
                 let wanted = measure::powers_text(expression.powers);
                 return faults.refuse_with(
                     n,
-                    told!(
+                    format!(
                         "`{}` has the dimension {wanted}, this limit {}",
                         shorten(written),
                         measure::powers_text(found)
                     ),
-                    told!("write the unit of the limit, for example `{} {wanted}`", number.text()),
+                    format!("write the unit of the limit, for example `{} {wanted}`", number.text()),
                 );
             }
             Some(unit.decimal_to_si(number.value, number.decimals))

@@ -2,7 +2,7 @@
 use crate::bank::need::Need;
 use crate::bank::node::{Faults, Node, Value, shorten};
 use crate::bank::{Datum, Draw, TEMPLATE_NAMES, Variables};
-use crate::finding::{Finding, told};
+use crate::finding::Finding;
 use crate::scene::{
     Attach, Body, Coordinate, Cord, CordEnd, Degree, End, Far, Grows, Joint, JointKind, Made, Num,
     RotaryInertia, Scene, Slope, Surface, Tie,
@@ -20,17 +20,17 @@ pub fn datum(
     faults: &Faults,
 ) {
     let symbol = &datum.symbol;
-    let in_case = if case.is_empty() { String::new() } else { told!(" of the case `{case}`") };
+    let in_case = if case.is_empty() { String::new() } else { format!(" of the case `{case}`") };
     match (draw, uses.first()) {
         (Some(_), None) => faults.hint(
             node,
-            told!("`{symbol}` is drawn, but the scene{in_case} does not use it"),
+            format!("`{symbol}` is drawn, but the scene{in_case} does not use it"),
             "remove it, or use it in the scene",
         ),
         (None, Some(need)) => faults.hint(
             if case.is_empty() { node } else { case_node },
-            told!("`{symbol}` is used as {}, but it is not drawn", need.words),
-            told!(
+            format!("`{symbol}` is used as {}, but it is not drawn", need.words),
+            format!(
                 "for example `draw: 20 to 40 step 1`{}",
                 if case.is_empty() { "" } else { ", here or in the data" }
             ),
@@ -47,7 +47,7 @@ pub fn datum(
                     if let Err(message) = need.admits(value) {
                         faults.hint(
                             if case.is_empty() { node } else { case_node },
-                            told!(
+                            format!(
                                 "`{symbol}` could be drawn as {}: {message}",
                                 datum.unit.text_with(&end.text())
                             ),
@@ -72,13 +72,13 @@ pub fn inertia_where_slipping(scene: &Scene, draws: &[(String, Option<Draw>)], n
         let (zero, what) = match num {
             Num::Fixed(x) => (x <= 0.0, "its inertia".to_owned()),
             Num::Datum(i) => match draws.get(i) {
-                Some((symbol, Some(draw))) => (draw.range().0.value <= 0, told!("`{symbol}`")),
+                Some((symbol, Some(draw))) => (draw.range().0.value <= 0, format!("`{symbol}`")),
                 _ => (false, String::new()),
             },
             Num::Derived(_) => (false, String::new()),
         };
         if zero {
-            faults.at(node, told!("`{}` slips, so {what} is above 0", scene.bodies[*body].name));
+            faults.at(node, format!("`{}` slips, so {what} is above 0", scene.bodies[*body].name));
         }
     }
 }
@@ -124,12 +124,13 @@ fn grows_alike(scene: &Scene, node: &Node, faults: &Faults) -> bool {
     };
     let mixed = scene.growths.iter().any(|g| g.law != law);
     if !(simple && ends) {
-        let message =
-            told!("a force grows with {with}, and the scene is not one whose acceleration then grows alike");
+        let message = format!(
+            "a force grows with {with}, and the scene is not one whose acceleration then grows alike"
+        );
         faults.hint(
             node,
             message,
-            told!("one freedom, contacts that roll or are smooth, no spring, no pin, and {end}"),
+            format!("one freedom, contacts that roll or are smooth, no spring, no pin, and {end}"),
         );
     } else if mixed {
         let hint = "write the same `with:` for all of them";
@@ -190,7 +191,7 @@ fn loads(scene: &Scene, node: &Node, faults: &Faults) {
                 }
                 _ => continue,
             };
-            let message = told!(
+            let message = format!(
                 "friction limits are not told of `{name}`, for `{}` rests on wheels",
                 scene.bodies[load].name
             );
@@ -384,7 +385,7 @@ pub fn instant(scene: &Scene, draws: &[(String, Option<Draw>)], node: &Node, fau
     }
     let name = |c: &Coordinate| {
         let what = if c.degree == Degree::Along { "speed" } else { "spin" };
-        told!("the {what} of `{}`", scene.bodies[c.body].name)
+        format!("the {what} of `{}`", scene.bodies[c.body].name)
     };
     let mut taken = vec![None; coordinates.len()];
     let start = part(node, "start");
@@ -399,7 +400,7 @@ pub fn instant(scene: &Scene, draws: &[(String, Option<Draw>)], node: &Node, fau
         if let (false, true, Some((c, _))) = (found, varies, given) {
             faults.hint(
                 start,
-                told!("the ties and the rest of the start already give {}", name(&c)),
+                format!("the ties and the rest of the start already give {}", name(&c)),
                 "take it away: one speed or spin for each freedom that the ties leave",
             );
         }
@@ -409,8 +410,8 @@ pub fn instant(scene: &Scene, draws: &[(String, Option<Draw>)], node: &Node, fau
             (&scene.bodies[c.body].name, if c.degree == Degree::Along { "speed: v" } else { "spin: w" });
         faults.hint(
             start,
-            told!("the start and the ties leave {} open", name(c)),
-            told!("write `start: {{{body}: {{{field}}}}}` besides, or a tie that gives it"),
+            format!("the start and the ties leave {} open", name(c)),
+            format!("write `start: {{{body}: {{{field}}}}}` besides, or a tie that gives it"),
         );
     }
 }
@@ -428,11 +429,13 @@ fn thrown(scene: &Scene, node: &Node, faults: &Faults) {
         let name = scene.bodies.get(c.body).map_or("ball", |b| b.name.as_str());
         faults.hint(
             part(node, "end"),
-            told!("`rolling` ends the slip of a body that is thrown with one; `{name}` is not"),
+            format!("`rolling` ends the slip of a body that is thrown with one; `{name}` is not"),
             match node.path.ends_with(".next") {
-                true => told!("write `slips:` for `{name}`, and let the motion before it end while it slips"),
+                true => {
+                    format!("write `slips:` for `{name}`, and let the motion before it end while it slips")
+                }
                 false => {
-                    told!("write `slips:` for `{name}` and `start: {{{name}: {{speed: v0, spin: w0}}}}`")
+                    format!("write `slips:` for `{name}` and `start: {{{name}: {{speed: v0, spin: w0}}}}`")
                 }
             },
         );
@@ -475,7 +478,7 @@ pub fn template(node: &Node, is_statement: bool, symbols: &[&str], variables: Va
             for name in &unknown {
                 let known = || symbols.iter().copied().chain(TEMPLATE_NAMES.iter().copied());
                 let hint = spell::hint(name, "known names", known());
-                faults.hint(node, told!("`{{{{ {} }}}}` is not known", shorten(name)), hint);
+                faults.hint(node, format!("`{{{{ {} }}}}` is not known", shorten(name)), hint);
             }
             // A statement that lists values or particles may give any of them.
             let lists = names.iter().any(|n| matches!(n.as_str(), "value" | "particles"));
@@ -489,8 +492,8 @@ pub fn template(node: &Node, is_statement: bool, symbols: &[&str], variables: Va
                 for symbol in symbols.iter().filter(|s| !given(s)) {
                     faults.hint(
                         node,
-                        told!("the statement never gives `{symbol}`"),
-                        told!("write `{{{{ {symbol} }}}}` where it belongs"),
+                        format!("the statement never gives `{symbol}`"),
+                        format!("write `{{{{ {symbol} }}}}` where it belongs"),
                     );
                 }
             }
@@ -501,6 +504,6 @@ pub fn template(node: &Node, is_statement: bool, symbols: &[&str], variables: Va
 fn told(node: &Node, finding: &Finding, faults: &Faults) {
     let place = finding
         .at
-        .map_or_else(String::new, |(line, column)| told!(" (line {line}, column {column} of the text)"));
-    faults.maybe(node, told!("{}{place}", finding.message), finding.hint.clone());
+        .map_or_else(String::new, |(line, column)| format!(" (line {line}, column {column} of the text)"));
+    faults.maybe(node, format!("{}{place}", finding.message), finding.hint.clone());
 }

@@ -81,7 +81,10 @@ pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
         let Some(problem) = &solved[i] else { continue };
         let Some(p) = problem.part(part) else {
             let known: Vec<&str> = problem.key.parts.iter().map(|e| e.part.as_str()).collect();
-            let what = format!("`{name}`: problem {} ({}) has no part `{part}`", problem.number, problem.id);
+            let what = format!(
+                "`{name}`: problem {} ({}) has no part `{part}`",
+                problem.posed.number, problem.posed.problem.id
+            );
             let fault = Finding::new("", what);
             faults.push(match units::spell::did_you_mean(part, known.iter().copied()) {
                 Some(hint) => fault.hint(hint),
@@ -106,8 +109,8 @@ pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
             });
         }
         if args.reveal && !right {
-            if problem.bank.reveal {
-                let label = problem.problem().questions[p].label;
+            if problem.posed.reveal {
+                let label = problem.posed.problem.questions[p].label;
                 let signs = statement::sense_words(words, problem.scene(), label);
                 let answer = right_answer(words, entry, signs);
                 row.push(words.say("feedback.shown", &[("answer", &answer)]));
@@ -140,10 +143,9 @@ fn solve(problem: &SheetProblem, file: &str) -> Result<CheckedProblem, Findings>
             fault.hint("the instructor has switched self-checks off for this bank").into()
         }
         Unsolved::Faults(faults) => faults.in_file(&place),
-        Unsolved::Refused(bank, why) => {
-            let refused = bank.problems.iter().take(1);
-            let texts = refused.flat_map(|only| refusal(only, &only.cases[0].scene, &why));
-            texts.map(|text| Finding::new("data", text).in_file(&place)).collect()
+        Unsolved::Refused(only, why) => {
+            let texts = refusal(&only, &only.cases[0].scene, &why);
+            texts.into_iter().map(|text| Finding::new("data", text).in_file(&place)).collect()
         }
     })
 }

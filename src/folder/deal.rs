@@ -16,7 +16,7 @@ use crate::set::{coincide, dealer, key_file, replay, store};
 use crate::sheet::html::Converter;
 use crate::sheet::key_table::KeyTableRow;
 use crate::sheet::output::{DocumentWriter, Format, WrittenDocument};
-use crate::sheet::self_check::{self, Handed, Hosting, SelfCheck, Use};
+use crate::sheet::self_check::{self, Handed, Hosting, PROGRAM_NAME, SelfCheck, Use};
 use crate::sheet::sheets::{SheetScratch, Sheets};
 use crate::sheet::texts::Texts;
 use crate::sheet::{key_table, public, terminal};
@@ -124,7 +124,7 @@ pub fn whole(
     let tries = dealt.tries();
     let (set, cut) = store(plan, std::mem::take(&mut dealt.students), &dealt.keys);
     for (name, bytes) in of_site(plan) {
-        staged.write(&format!("{}/{name}", names::STUDENTS), bytes)?;
+        staged.write(&name, bytes)?;
     }
     staged.write(names::BANK, plan.text.as_bytes())?;
     let key = key_file::text(&dealt.keys);
@@ -139,9 +139,13 @@ pub fn whole(
 }
 
 /// What lies beside the sheets where they are put on a web server.
-fn of_site(plan: &Plan) -> Vec<(&'static str, &'static [u8])> {
-    let files = names::OF_SITE.into_iter().zip([self_check::PROGRAM, self_check::WORKER.as_bytes()]);
-    files.filter(|_| plan.has_program()).collect()
+fn of_site(plan: &Plan) -> Vec<(String, &'static [u8])> {
+    let program = (PROGRAM_NAME.as_str(), self_check::PROGRAM);
+    let files = [program, (names::WORKER, self_check::WORKER.as_bytes())].into_iter();
+    files
+        .filter(|_| plan.has_program())
+        .map(|(name, of)| (format!("{}/{name}", names::STUDENTS), of))
+        .collect()
 }
 
 /// Booklets, the key for people, and the page to start from.
@@ -208,7 +212,12 @@ pub fn add(
     for (name, bytes) in &files {
         staged.write(name, bytes)?;
     }
-    for name in places().chain(files.iter().map(|(name, _)| PathBuf::from(name))) {
+    let site = of_site(plan);
+    for (name, bytes) in &site {
+        staged.write(name, bytes)?;
+    }
+    let site = site.iter().map(|(name, _)| PathBuf::from(name));
+    for name in site.chain(places()).chain(files.iter().map(|(name, _)| PathBuf::from(name))) {
         staged.place_one(&name)?;
     }
     Ok(SetMade { written: members.len(), set, tries, cut })

@@ -14,8 +14,8 @@ pub const KEY: &str = "key.csv";
 pub const FORM: &str = "submissions.csv";
 /// Folder with a folder for each student.
 pub const STUDENTS: &str = "students";
-/// Beside the folders of the students, where sheets are put on a web server: the program that checks, and what keeps it.
-pub const OF_SITE: [&str; 2] = ["check.wasm.gz", "sw.js"];
+/// Beside the folders of the students, where sheets are put on a web server: what keeps the program that checks.
+pub const WORKER: &str = "sw.js";
 /// The public file of a sheet, in the student's folder.
 pub const SHEET: &str = "sheet.json";
 /// The page to start from, of a set and of a grading.
@@ -60,6 +60,11 @@ pub fn is_of_set(name: &str) -> bool {
         .chain(&BOOKLETS)
         .chain(&KEY_TABLES)
         .any(|ours| *ours == name)
+}
+
+/// Does this lie beside the folders of the students, where sheets are put on a web server? A program may be that of an earlier version.
+pub fn is_of_site(name: &str) -> bool {
+    name == WORKER || name.starts_with("check") && name.ends_with(".wasm.gz")
 }
 
 /// Is this a file that a student gets? Sheets in any format, and the figures of a set with this many problems.

@@ -150,7 +150,7 @@ fn foreign(out: &Path, set: &StoredSet) -> Vec<String> {
             let inside = names_in(&out.join(names::STUDENTS).join(&name));
             let unknown = inside.into_iter().filter(|n| !names::is_of_student(n, set.problems.len()));
             found.extend(unknown.map(|n| format!("students/{name}/{n}")));
-        } else if !names::OF_SITE.contains(&name.as_str())
+        } else if !names::is_of_site(&name)
             && !is_left_over(&out.join(names::STUDENTS).join(&name), &name, set)
         {
             found.push(format!("students/{name}"));

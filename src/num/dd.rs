@@ -100,24 +100,21 @@ impl Dd {
     }
     /// The exact sum of two doubles.
     // A page is small, and the program is quick.
-    #[cfg_attr(feature = "program", inline(always))]
-    #[cfg_attr(not(feature = "program"), inline(never))]
+    #[inline(always)]
     pub fn sum(a: f64, b: f64) -> Self {
         let (hi, lo) = two_sum(a, b);
         Self { hi, lo }
     }
     /// The exact product of two doubles (barring overflow, and underflow of the small part).
     // A page is small, and the program is quick.
-    #[cfg_attr(feature = "program", inline(always))]
-    #[cfg_attr(not(feature = "program"), inline(never))]
+    #[inline(always)]
     pub fn product(a: f64, b: f64) -> Self {
         let (hi, lo) = two_prod(a, b);
         Self { hi, lo }
     }
     /// Square root; 0 for a negative argument by rounding is the caller's business: NaN below 0.
     // A page is small, and the program is quick.
-    #[cfg_attr(feature = "program", inline)]
-    #[cfg_attr(not(feature = "program"), inline(never))]
+    #[inline]
     pub fn sqrt(self) -> Self {
         // A relative comparison with zero would be wrong here: exactly zero is the only special case.
         if self.hi == 0.0 {
@@ -183,8 +180,7 @@ pub fn exponent(x: f64) -> i32 {
 impl Add for Dd {
     type Output = Dd;
     // A page is small, and the program is quick.
-    #[cfg_attr(feature = "program", inline(always))]
-    #[cfg_attr(not(feature = "program"), inline(never))]
+    #[inline(always)]
     fn add(self, o: Dd) -> Dd {
         let (s, e) = two_sum(self.hi, o.hi);
         let (t, f) = two_sum(self.lo, o.lo);
@@ -196,8 +192,7 @@ impl Add for Dd {
 impl Sub for Dd {
     type Output = Dd;
     // A page is small, and the program is quick.
-    #[cfg_attr(feature = "program", inline(always))]
-    #[cfg_attr(not(feature = "program"), inline(never))]
+    #[inline(always)]
     fn sub(self, o: Dd) -> Dd {
         self + (-o)
     }
@@ -212,8 +207,7 @@ impl Neg for Dd {
 impl Mul for Dd {
     type Output = Dd;
     // A page is small, and the program is quick.
-    #[cfg_attr(feature = "program", inline(always))]
-    #[cfg_attr(not(feature = "program"), inline(never))]
+    #[inline(always)]
     fn mul(self, o: Dd) -> Dd {
         let (p, e) = two_prod(self.hi, o.hi);
         keep(p, self.hi, o.hi);
@@ -224,8 +218,7 @@ impl Mul for Dd {
 impl Div for Dd {
     type Output = Dd;
     // A page is small, and the program is quick.
-    #[cfg_attr(feature = "program", inline)]
-    #[cfg_attr(not(feature = "program"), inline(never))]
+    #[inline]
     fn div(self, o: Dd) -> Dd {
         let q1 = self.hi / o.hi;
         keep(q1, self.hi, o.hi);

@@ -1,5 +1,6 @@
 //! Small formulas in reverse Polish order, evaluated without allocation, in any kind of number, and with the same bits everywhere.
 use crate::num::{Dd, Real, trig};
+use serde::{Deserialize, Serialize};
 
 /// Values that a formula may hold at once; a reader keeps its formulas below that.
 pub const STACK: usize = 56;
@@ -7,7 +8,7 @@ pub const STACK: usize = 56;
 const USUAL: usize = 8;
 
 /// One step: a value is put on the stack, or what lies there is worked on.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Step<V> {
     /// A number.
     Number(f64),
@@ -46,7 +47,7 @@ pub enum Step<V> {
 }
 
 /// A formula; `V` names the values that are looked up.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Formula<V> {
     steps: Vec<Step<V>>,
     /// Values that it holds at once.

@@ -56,17 +56,17 @@ pub trait Real:
         Self::NOISE > f64::EPSILON
     }
     /// An exact double.
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn of(value: f64) -> Self {
         Self::constant(Dd::new(value))
     }
     /// Zero.
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn zero() -> Self {
         Self::constant(Dd::ZERO)
     }
     /// The value rounded to a double.
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn f64(self) -> f64 {
         self.value().hi
     }
@@ -80,58 +80,58 @@ pub trait Real:
         Self::of(f(self.f64(), other.f64()))
     }
     /// Decides how something is computed, not what comes out: of several sets of data the first one alone decides.
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn leading<R>(decide: impl FnOnce() -> R) -> R {
         decide()
     }
     /// The number, or the other one where it is not finite.
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn or(self, other: Self) -> Self {
         if self.is_finite() { self } else { other }
     }
     /// Is the value exactly zero?
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn is_zero(self) -> bool {
         self.f64() == 0.0
     }
     /// May terms with it as a factor be left out? Only to save them.
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn is_nothing(self) -> bool {
         self.is_zero()
     }
     /// Is it the same number, so that what was computed from the one holds for the other? No question of what is true: two
     /// enclosures are the same if their ends are.
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn same(self, other: Self) -> bool {
         (self - other).is_zero()
     }
     /// Its magnitude.
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn size(self) -> f64 {
         self.f64().abs()
     }
     /// Is it infinite or NaN?
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn is_finite(self) -> bool {
         self.f64().is_finite()
     }
     /// Is it at most so large?
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn within(self, bound: f64) -> bool {
         self.size() <= bound
     }
     /// Is it nothing beside `scale`, but rounding of double-doubles?
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn negligible(self, scale: f64) -> bool {
         self.size() <= Self::NOISE * scale
     }
     /// At most `limit`, up to what double-doubles leave of a difference of equals; NaN is not.
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn at_most(self, limit: Self) -> bool {
         !self.f64().is_nan() && !limit.f64().is_nan() && self.side(limit) <= 0.0
     }
     /// -1 below, 0 at, 1 above the other, up to what double-doubles leave of a difference of equals; 0 beside NaN.
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn side(self, other: Self) -> f64 {
         let larger = self.size().max(other.size());
         if larger.is_finite() && (self - other).negligible(larger) {
@@ -145,12 +145,12 @@ pub trait Real:
         }
     }
     /// Absolute value.
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn abs(self) -> Self {
         if self.sign() < 0.0 { -self } else { self }
     }
     /// The same with its sign turned if `sign < 0`, zero if `sign == 0`.
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn signed(self, sign: f64) -> Self {
         if sign > 0.0 {
             self
@@ -162,35 +162,35 @@ pub trait Real:
     }
     /// -1 below, 0 at, 1 above a boundary of regimes: *at* is within 8 u of it, for a datum that is printed as a decimal is
     /// known no better than to half a u. 0 beside NaN.
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn status(self, boundary: Self) -> f64 {
         let larger = self.size().max(boundary.size());
         if larger.is_finite() && (self - boundary).size() <= AT * larger { 0.0 } else { self.side(boundary) }
     }
     /// Difference of two numbers that are equal at a boundary of regimes: exactly zero within 8 u.
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn apart(self, other: Self) -> Self {
         let apart = self - other;
         if apart.size() <= AT * self.size().max(other.size()) { Self::zero() } else { apart }
     }
     /// The same, or exactly zero where it is nothing beside `scale`, the sum of the magnitudes of the terms that made it:
     /// what then is left is the rounding of double-doubles.
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn cleared(self, scale: f64) -> Self {
         if self.negligible(scale) { Self::zero() } else { self }
     }
     /// Sum of two terms, [`Real::cleared`].
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn balance(self, other: Self) -> Self {
         (self + other).cleared(self.size() + other.size())
     }
     /// Sum of two terms, exactly zero where no more is left than printed data leave open of them; an enclosure keeps it.
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn settled(self, other: Self) -> Self {
         (self + other).cleared(self.size().max(other.size()) * (AT / Self::NOISE))
     }
     /// Quotient; over exactly zero it is infinite (0 over 0 is 0), whatever the data.
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn over(self, under: Self) -> Self {
         if !under.is_zero() {
             self / under
@@ -201,22 +201,22 @@ pub trait Real:
         }
     }
     /// The larger of two.
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn larger(self, other: Self) -> Self {
         if self.below(other) { other } else { self }
     }
     /// At least the other, exactly; NaN is not.
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn reaches(self, other: Self) -> bool {
         other.below(self) || (self - other).is_zero()
     }
     /// 0 or more; NaN is not.
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn not_negative(self) -> bool {
         self.sign() > 0.0 || self.is_zero()
     }
     /// Square.
-    #[cfg_attr(feature = "program", inline(always))]
+    #[inline(always)]
     fn square(self) -> Self {
         self * self
     }

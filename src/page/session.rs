@@ -1,9 +1,8 @@
 //! A page's talk with the program: a sheet is opened, then each request is a JSON text and so is its answer.
 use crate::finding::Finding;
 use crate::misconception::MethodWords;
-use crate::page::check::{self, Checked, CheckedProblem};
+use crate::page::check::{Checked, CheckedProblem, PosedProblem};
 use crate::page::echo;
-use crate::page::sheet_file::SheetFile;
 use crate::words::Words;
 use serde::Serialize;
 use serde_json::Value;
@@ -28,15 +27,17 @@ enum Answer {
 }
 
 impl Session {
-    /// Opens a sheet from the JSON text of `{"sheet": ..., "phrases": ..., "methods": ...}` and solves it.
-    /// Errors: the texts cannot be read, or a problem of the sheet cannot be checked.
+    /// Opens a sheet from the JSON text of `{"problems": [...], "phrases": ..., "methods": ...}`, the problems as they were packed, and
+    /// solves it. Errors: the texts cannot be read, or a problem cannot be checked.
     pub fn open(text: &str) -> Result<Self, Finding> {
         let mut opening: Value = serde_json::from_str(text).map_err(|_| Finding::new("", "is no sheet"))?;
-        let sheet = SheetFile::of(&opening["sheet"])?;
         let words = Words::handed(&opening["phrases"]).ok_or_else(|| Finding::new("phrases", "are none"))?;
-        let problems = sheet.problems.iter().map(|problem| {
-            let fault = |_| Finding::new("scene", format!("problem {} cannot be checked", problem.number));
-            check::solve(problem, "sheet").map_err(fault)
+        let problems = opening["problems"].as_array().into_iter().flatten().map(|packed| {
+            let posed = packed.as_str().and_then(PosedProblem::unpacked);
+            let posed = posed.ok_or_else(|| Finding::new("problems", "hold one that cannot be read"))?;
+            let number = posed.number;
+            let fault = |_| Finding::new("problems", format!("problem {number} cannot be checked"));
+            posed.solved().map_err(fault)
         });
         let problems = problems.collect::<Result<_, _>>()?;
         Ok(Self { problems, words, methods: opening["methods"].take() })
@@ -58,7 +59,7 @@ impl Session {
     /// Problem and index of a part by its name, `2.omega`.
     fn part(&self, name: &str) -> Option<(&CheckedProblem, usize)> {
         let (number, part) = name.split_once('.')?;
-        let problem = self.problems.iter().find(|p| p.number.to_string() == number)?;
+        let problem = self.problems.iter().find(|p| p.posed.number.to_string() == number)?;
         Some((problem, problem.part(part)?))
     }
 

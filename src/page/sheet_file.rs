@@ -1,6 +1,6 @@
 //! sheet.json as it is read: the file, and the problem that it puts, as the tree of a bank with the drawn data in their place.
-use crate::bank::node::{self, Node, WHOLE};
-use crate::finding::{Finding, Findings, told};
+use crate::bank::node::{self, Node};
+use crate::finding::{Finding, Findings};
 use serde_json::Value;
 
 /// Version of the layout.
@@ -62,7 +62,7 @@ impl SheetFile {
             Some(other) => match other.as_u64().and_then(|n| u32::try_from(n).ok()) {
                 Some(FORMAT) => Some(FORMAT),
                 _ => {
-                    return Err(Finding::new("format", told!("is {other}; this program reads {FORMAT}")));
+                    return Err(Finding::new("format", format!("is {other}; this program reads {FORMAT}")));
                 }
             },
         };
@@ -86,7 +86,7 @@ const HINT: &str = "give the file sheet.json that came with your sheet";
 
 /// A field is not there, below this path.
 fn wanted(path: &str, name: &str, what: &str) -> Finding {
-    Finding::new(told!("{path}{name}"), told!("is no sheet file: {what} is expected here")).hint(HINT)
+    Finding::new(format!("{path}{name}"), format!("is no sheet file: {what} is expected here")).hint(HINT)
 }
 
 fn text(value: &Value, name: &str, path: &str) -> Result<String, Finding> {
@@ -137,7 +137,7 @@ impl SheetProblem {
         if matches!(self.scene.value, node::Value::Empty) {
             return Ok(None);
         }
-        let path = |rest: &str| told!("problems[{}].{rest}", self.number.saturating_sub(1));
+        let path = |rest: &str| format!("problems[{}].{rest}", self.number.saturating_sub(1));
         let mut faults = Findings::default();
         let mut bank = self.scene.clone();
         let said = |symbol: &str| self.data.iter().find(|(name, _)| name == symbol).map(|(_, said)| said);
@@ -146,7 +146,7 @@ impl SheetProblem {
         }
         let data = bank.field_mut("problems").and_then(|p| p.field_mut(&self.id)?.field_mut("data"));
         let Some(Node { value: node::Value::Map(data), .. }) = data else {
-            return Err(Finding::new(path("scene"), told!("holds no data of this problem")).into());
+            return Err(Finding::new(path("scene"), format!("holds no data of this problem")).into());
         };
         for (symbol, fields) in data {
             let symbol = symbol.text().unwrap_or_default();
@@ -158,14 +158,12 @@ impl SheetProblem {
                 // What this student is not given is not there: a particle, a slope.
                 (None, node::Value::Map(_)) => fields.set("draw", "none"),
                 _ => faults.push(Finding::new(
-                    path(&told!("data.{symbol}")),
-                    told!("needs a value and a unit, as texts"),
+                    path(&format!("data.{symbol}")),
+                    format!("needs a value and a unit, as texts"),
                 )),
             }
         }
-        if WHOLE {
-            bank.name_paths("");
-        }
+        bank.name_paths("");
         faults.into_result(Some(bank))
     }
 }
@@ -174,9 +172,8 @@ impl SheetProblem {
 fn node(value: &Value) -> Node {
     let value = match value {
         Value::String(written) => node::Value::Text(written.clone()),
-        // What a page opens was written for it, and all of it as texts.
-        Value::Bool(_) | Value::Number(_) if WHOLE => node::Value::Text(value.to_string()),
-        Value::Null | Value::Bool(_) | Value::Number(_) => node::Value::Empty,
+        Value::Bool(_) | Value::Number(_) => node::Value::Text(value.to_string()),
+        Value::Null => node::Value::Empty,
         Value::Array(items) => node::Value::List(items.iter().map(node).collect()),
         Value::Object(fields) => {
             node::Value::Map(fields.iter().map(|(name, value)| (Node::of_text(name), node(value))).collect())

@@ -4,6 +4,7 @@
 pub mod time;
 
 use jiff::tz::{AmbiguousOffset, AmbiguousTimestamp, TimeZone};
+use serde::{Deserialize, Serialize};
 
 /// Microseconds in a minute.
 pub const MINUTE: i64 = 60_000_000;
@@ -301,7 +302,7 @@ impl Credit {
 
 worded! {
     /// What students are told of wrong methods.
-    #[derive(Default)]
+    #[derive(Default, Serialize, Deserialize)]
     Hints {
         /// Nothing.
         None "none",

@@ -129,7 +129,7 @@ pub fn faults(scene: &Scene, data: &[f64]) -> Vec<Inadmissible> {
     let mut judge = |datum, rule| {
         let same = |f: &Inadmissible| f.datum == datum && f.rule == rule;
         if !holds(scene, data, datum, rule) && !found.iter().any(same) {
-            let of = if cfg!(feature = "program") { of_data(scene, data, datum) } else { Vec::new() };
+            let of = of_data(scene, data, datum);
             found.push(Inadmissible { datum, value: scene.value(datum, data), rule, of });
         }
     };

@@ -5,10 +5,11 @@ use crate::scene::{
     Acts, Body, Coordinate, Cord, Degree, End, Far, Joint, JointKind, Made, Num, Numbers, Planar, Scene,
     Slope, Spot, SpringTie, Straight, Strut, StrutEnd, Surface, Tie,
 };
+use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 
 /// What a quantity belongs to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub enum Owner {
     /// The scene as a whole.
     Scene,
@@ -27,7 +28,7 @@ pub enum Owner {
 }
 
 /// A quantity of a body, a tie or the scene.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct Label {
     /// Which quantity.
     pub quantity: Quantity,
@@ -51,7 +52,7 @@ pub enum Sign {
 macro_rules! quantities {
     ($($variant:ident $name:literal $unit:literal $sign:ident $doc:literal;)*) => {
         /// The quantities that the solvers give.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
         pub enum Quantity {
             $(#[doc = $doc] $variant,)*
             /// An expression that a bank asks for; no solver gives it.

@@ -1,8 +1,9 @@
 //! Bodies: mass, inertia, named radii, and the line along which the mass centre moves.
 use crate::scene::{Num, Planar};
+use serde::{Deserialize, Serialize};
 
 /// One rigid body.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Body {
     /// Name in the bank, such as `wheel`.
     pub name: String,
@@ -43,7 +44,7 @@ impl Body {
 }
 
 /// Mass of a body.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub enum Mass {
     /// Mass, kg.
     Kilograms(Num),
@@ -55,7 +56,7 @@ pub enum Mass {
 }
 
 /// Moment of inertia about the mass centre, from one of several data.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum RotaryInertia {
     /// `I = m k^2`, k in m, >= 0.
     Gyration(Num),
@@ -68,7 +69,7 @@ pub enum RotaryInertia {
 }
 
 /// One part of a compound body.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Part {
     /// Mass of the part.
     pub mass: Mass,
@@ -80,7 +81,7 @@ pub struct Part {
 
 /// Uniform shapes, about the axis through the mass centre and normal to the plane: `I = beta m R^2`, R the radius (of a
 /// rod: the length).
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Shape {
     /// Thin ring or thin-walled hollow cylinder, beta = 1.
     Hoop,
@@ -95,7 +96,7 @@ pub enum Shape {
 }
 
 /// The straight line of a mass centre, and whether the body rests on it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Line {
     /// Slope of the line.
     pub slope: Slope,
@@ -106,7 +107,7 @@ pub struct Line {
 }
 
 /// Slope of a line.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Slope {
     /// Horizontal.
     Level,
@@ -117,7 +118,7 @@ pub enum Slope {
 }
 
 /// A particle of a lamina.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Particle {
     /// Name, such as `A`.
     pub name: String,

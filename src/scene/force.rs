@@ -1,9 +1,10 @@
 //! Forces that no body and no tie brings with it.
 use crate::num::Real;
 use crate::scene::{End, Num, Scene};
+use serde::{Deserialize, Serialize};
 
 /// A couple, of constant moment unless [`Scene::growths`] says otherwise.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Couple {
     /// Index of the body.
     pub body: usize,
@@ -14,7 +15,7 @@ pub struct Couple {
 }
 
 /// A given force or couple of a scene.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum GivenForce {
     /// The pull at the far end of a cord, by the index of its tie.
     Pull(usize),
@@ -23,7 +24,7 @@ pub enum GivenForce {
 }
 
 /// What a given force or couple grows with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Grows {
     /// The time since the start.
     Time,
@@ -32,7 +33,7 @@ pub enum Grows {
 }
 
 /// How a given force or couple grows: with a power of time or place.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Law {
     /// Of what.
     pub with: Grows,
@@ -59,7 +60,7 @@ impl Law {
 }
 
 /// A given force or couple that grows: `P = P_0 + c t^p`, or with place.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Growth {
     /// Which.
     pub of: GivenForce,

@@ -2,10 +2,11 @@
 use crate::num::formula::Formula;
 use crate::num::{Real, trig};
 use crate::scene::{Coordinate, Degree, End, Label, Num, Owner, Quantity, Scene, Span, Tie};
+use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 
 /// A datum in a formula.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Given {
     /// Its index.
     pub datum: usize,
@@ -24,7 +25,7 @@ impl Given {
 }
 
 /// A number of the scene that is worked out from data.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Derived {
     /// How, SI.
     pub formula: Formula<Given>,
@@ -54,7 +55,7 @@ impl Derived {
 }
 
 /// What a motion takes over from the one before it. In its formulas these stand behind the data of the problem.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Taken {
     /// What the motion before it says.
     pub label: Label,
@@ -63,7 +64,7 @@ pub struct Taken {
 }
 
 /// How another scene, of which a question asks, differs from the one that is told.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum AsIf {
     /// Its contacts roll, whatever friction that needs.
     Rolls,
@@ -74,7 +75,7 @@ pub enum AsIf {
 }
 
 /// What the formula of a question names.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Term {
     /// A datum.
     Given(Given),
@@ -85,7 +86,7 @@ pub enum Term {
 }
 
 /// What a question asks that is no quantity as it stands: an expression in data and quantities, or a quantity of another scene.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Asked {
     /// Id of the question.
     pub id: String,
@@ -104,7 +105,7 @@ pub struct Asked {
 }
 
 /// A datum that is found from a measurement: it is not given, and its value is the one that gives the measured datum.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Found {
     /// The datum that is found.
     pub unknown: Given,
@@ -117,7 +118,7 @@ pub struct Found {
 }
 
 /// The formulas of a scene.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Formulas {
     /// Numbers that are worked out from data; index = [`Num::Derived`].
     pub numbers: Vec<Derived>,

@@ -285,19 +285,7 @@ macro_rules! walks {
 
 walks! {
     /// Looks at the numbers.
-    #[cfg(feature = "program")]
     read: iter;
     /// Changes them.
     change: iter_mut mut;
-}
-
-/// Looks at the numbers of a copy: a page is to be small.
-#[cfg(not(feature = "program"))]
-pub mod read {
-    use crate::scene::given::{Kind, Num, Scene, change};
-
-    /// All numbers of a scene.
-    pub fn all(scene: &Scene, tell: &mut dyn FnMut(&Num, Kind)) {
-        change::all(&mut scene.clone(), &mut |number, kind| tell(number, kind));
-    }
 }

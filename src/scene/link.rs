@@ -1,8 +1,9 @@
 //! Ties between bodies and with the ground: rolling, slipping and sliding contacts, cords.
 use crate::scene::{Num, Quantity, RotaryInertia, Scene};
+use serde::{Deserialize, Serialize};
 
 /// A tie. Each adds the rows that it needs to the assembly, and no others.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Tie {
     /// Rolls without slipping on a radius: one row, friction is its reaction.
     Roll {
@@ -39,7 +40,7 @@ pub enum Tie {
 }
 
 /// A cord, from a body to something.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Cord {
     /// Name for `name.tension` when a scene has several; `cord` unless the bank names it.
     pub name: String,
@@ -52,7 +53,7 @@ pub struct Cord {
 }
 
 /// What leads from rim to rim.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Made {
     /// A cord, which pulls.
     #[default]
@@ -76,7 +77,7 @@ impl Cord {
 
 /// Where a cord leaves a body. The rate at which this end travels along the cord, away from the body, is
 /// `toward (v + side p omega)` with `toward` = +1 forward, -1 back.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct CordEnd {
     /// Index of the body.
     pub body: usize,
@@ -92,7 +93,7 @@ pub struct CordEnd {
 }
 
 /// How a cord holds a body.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Attach {
     /// Tied to the mass centre.
     Centre,
@@ -101,7 +102,7 @@ pub enum Attach {
 }
 
 /// The side of the body, seen with forward to the right, at which a wound cord leaves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Side {
     /// Away from the surface: a turn forward moves this side forward, `side` = +1.
     Top,
@@ -110,7 +111,7 @@ pub enum Side {
 }
 
 /// What is at the other end of a cord.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Far {
     /// A constant force, N, >= 0.
     Pull(Num),

@@ -36,8 +36,10 @@ pub use planar::{
 };
 pub use scales::Scales;
 
+use serde::{Deserialize, Serialize};
+
 /// Where a number of the scene comes from: a datum of the problem (by index), a constant of the bank, or a formula of data.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Num {
     /// Index into the data of the problem.
     Datum(usize),
@@ -55,7 +57,7 @@ impl Default for Num {
 
 /// A scene: structure only. The numbers are passed beside it, one SI `f64` for each datum, so that thousands of draws
 /// share one scene.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Scene {
     /// Acceleration of free fall, m/s^2, > 0.
     pub gravity_m_s2: Num,

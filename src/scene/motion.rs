@@ -1,8 +1,9 @@
 //! How a motion starts and what ends it.
 use crate::scene::{Label, Num, Owner, Quantity, Scene, Slope, Tie};
+use serde::{Deserialize, Serialize};
 
 /// One coordinate of a scene.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Coordinate {
     /// Index of the body.
     pub body: usize,
@@ -19,7 +20,7 @@ impl Coordinate {
 }
 
 /// Kind of a coordinate.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Degree {
     /// Travel of the mass centre along its line, m.
     Along,
@@ -28,7 +29,7 @@ pub enum Degree {
 }
 
 /// What is known of the velocities at the start.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Start {
     /// Speed along the line (m/s) or spin (rad/s) of one coordinate, positive forward. The ties give the rest; a body that
     /// is thrown with slip has both.
@@ -51,7 +52,7 @@ pub enum Start {
 /// A belt, the bed of a truck, a lift: it carries the whole scene along a straight line, whatever that takes.
 ///
 /// Ties, joints and ends count places and speeds on it. Speeds at the start and answers are those that are seen from the ground.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Carrier {
     /// Slope of the line, positive up or to the right.
     pub slope: Slope,
@@ -62,7 +63,7 @@ pub struct Carrier {
 }
 
 /// The event that ends the motion.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub enum End {
     /// No motion: only the instant of the start is asked.
     #[default]
@@ -88,7 +89,7 @@ pub enum End {
 }
 
 /// A declared direction of motion of the ending coordinate.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Heading {
     /// Forward (positive).
     Forward,
@@ -100,7 +101,7 @@ pub enum Heading {
 /// motion; what would come after it counts only where a quantity that is asked looks there ([`Quantity::looks_beyond`]).
 ///
 /// [`Quantity::looks_beyond`]: crate::scene::Quantity::looks_beyond
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Span {
     /// From the start to the end that is asked; to the turning point where the motion turns before it.
     #[default]
@@ -117,7 +118,7 @@ impl Span {
 }
 
 /// A body thrown with slip: it starts with a speed and a spin that rolling would not tie together.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Thrown {
     /// Index of the contact.
     pub tie: usize,

@@ -5,9 +5,10 @@
 //! told by their distances from the origin of the axis, along it and to its left. The angle of the axis counts from one of four directions, in either sense; a turn is
 //! positive as that angle grows.
 use crate::scene::{Body, End, Num, Quantity, Scene};
+use serde::{Deserialize, Serialize};
 
 /// How a body lies in the plane and which of its points have names.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Planar {
     /// Points: name, and distance from the origin along the axis and to the left of it.
     pub points: Vec<(String, [Place; 2])>,
@@ -52,7 +53,7 @@ impl Planar {
 }
 
 /// How a body moves just before an impact.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Arrives {
     /// Is no speed told? A pinned body then turns about its pin.
     pub turns_alone: bool,
@@ -70,7 +71,7 @@ pub const fn on_axis(along: Place) -> [Place; 2] {
 }
 
 /// Which of two ways of placing a body is meant.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Branch {
     /// Along the guide, or left of the line between the outer ends of two rods: so it is by default.
     Ahead,
@@ -79,7 +80,7 @@ pub enum Branch {
 }
 
 /// A distance along the axis of a body, or to the left of it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Place {
     /// Given, m, of either sign.
     At(Num),
@@ -102,7 +103,7 @@ impl Place {
 }
 
 /// A direction from which angles count.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Ray {
     /// To the right.
     #[default]
@@ -128,7 +129,7 @@ impl Ray {
 }
 
 /// A named point of a body: index of the body, and of the point among those of the body.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct Spot {
     /// Index of the body.
     pub body: usize,
@@ -137,7 +138,7 @@ pub struct Spot {
 }
 
 /// What holds points of bodies to the ground or to each other.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Joint {
     /// Name, for `wall.normal`.
     pub name: String,
@@ -146,7 +147,7 @@ pub struct Joint {
 }
 
 /// Kinds of joints.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum JointKind {
     /// A fixed pin: the point stays at this place, m.
     Pin {
@@ -208,7 +209,7 @@ pub enum JointKind {
 }
 
 /// A straight line, fixed in space or in a body.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Straight {
     /// A point of the body that carries it, through which it goes; `None`: it is fixed in space.
     pub on: Option<Spot>,
@@ -238,7 +239,7 @@ impl Straight {
 }
 
 /// A surface.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Surface {
     /// A line, whose left side is free.
     Line(Straight),
@@ -353,7 +354,7 @@ impl JointKind {
 }
 
 /// A force on a point of a body in the plane, or a blow: an impulse at the start.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Push {
     /// Name, such as `P`.
     pub name: String,
@@ -372,7 +373,7 @@ pub struct Push {
 }
 
 /// A spring between a point of a body and a fixed place or a point of another body, or one that turns its body.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Strut {
     /// Name.
     pub name: String,
@@ -553,7 +554,7 @@ impl Scene {
 }
 
 /// How the natural length of a spring is given.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Rest {
     /// Natural length, m, >= 0.
     Length(Num),
@@ -562,7 +563,7 @@ pub enum Rest {
 }
 
 /// Does a spring pull and push? One that does but one of them is met on the way, and let go of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Acts {
     /// Both.
     #[default]
@@ -585,7 +586,7 @@ impl Strut {
 }
 
 /// The other end of a spring.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum StrutEnd {
     /// A fixed place, m.
     Ground([Num; 2]),

@@ -727,9 +727,6 @@ impl<'a, T: Real> Layout<'a, T> {
     /// The first way in this sense, looked for up to `far`, on which a torsion spring comes to be wound by half a turn, from where it
     /// is relaxed, or a load to its pulley. What a page solves comes to its end before.
     pub fn overruns(&self, relaxed: &[[T; 2]], sense: f64, far: (T, T)) -> Option<(T, Obstacle)> {
-        if !cfg!(feature = "program") {
-            return None;
-        }
         let poses = |way: T| self.poses::<T>(way.signed(sense), false);
         let changes = |value: &dyn Fn(T) -> Option<T>| {
             root::changes(far, &[], &|way| value(way).ok_or(())).unwrap_or_default()

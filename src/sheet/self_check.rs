@@ -3,6 +3,8 @@
 use crate::bank::{Bank, Problem};
 use crate::finding::Finding;
 use crate::misconception::catalogue::{Catalogue, CatalogueEntry};
+use crate::page::check::{PosedProblem, Unsolved};
+use crate::page::sheet_file::{SheetFile, SheetProblem};
 use crate::policy::Hints;
 use crate::problem::make_key;
 use crate::problem::maker::Variant;
@@ -10,11 +12,12 @@ use crate::sheet::document::Head;
 use crate::template;
 use crate::words::Words;
 use base64::prelude::{BASE64_STANDARD, Engine as _};
+use rustc_hash::FxHashMap;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 
 /// The program of the page, packed with gzip; `.ci/page` makes it from `src/page`.
 pub const PROGRAM: &[u8] = include_bytes!("../../templates/page/check.wasm.gz");
@@ -27,6 +30,11 @@ const JUDGING: [&str; 3] = ["feedback", "sheet", "tutor"];
 const ON_THE_PAGE: [&str; 2] = ["page", "report.verdict"];
 
 static PACKED: LazyLock<String> = LazyLock::new(|| BASE64_STANDARD.encode(PROGRAM));
+/// Name of the program where it lies beside sheets. A sheet needs the very program with which it was made: others may lie beside it.
+pub static PROGRAM_NAME: LazyLock<String> = LazyLock::new(|| {
+    let digest = Sha256::digest(PROGRAM);
+    format!("check-{:02x}{:02x}{:02x}{:02x}.wasm.gz", digest[0], digest[1], digest[2], digest[3])
+});
 /// The script by its hash, so that no other runs.
 static HASH: LazyLock<String> = LazyLock::new(|| BASE64_STANDARD.encode(Sha256::digest(SCRIPT.as_bytes())));
 
@@ -58,6 +66,8 @@ pub struct SelfCheck<'t> {
     hosting: Hosting,
     used: Use,
     phrases: serde_json::Value,
+    /// The problems that were read, by their index in the bank and their case.
+    read: Mutex<FxHashMap<(usize, usize), Arc<PosedProblem>>>,
 }
 
 /// What stands in a page besides the document.
@@ -88,10 +98,10 @@ impl<'t> SelfCheck<'t> {
         let mut phrases = words.phrases(&ON_THE_PAGE);
         let judging = Words::built_in(words.language()).unwrap_or(words);
         phrases.phrases.extend(judging.phrases(&JUDGING).phrases);
-        Self { words, hosting, used, phrases: json!(phrases) }
+        Self { words, hosting, used, phrases: json!(phrases), read: Mutex::default() }
     }
 
-    /// The tools of one sheet. Errors: the text of sheet.json is none.
+    /// The tools of one sheet. Errors: the text of sheet.json is none, or not of this bank.
     pub fn tools(&self, bank: &Bank, problems: &[usize], handed: &Handed) -> Result<Tools, Finding> {
         let Handed { head, folder, sheet, variants } = handed;
         let chosen = || problems.iter().filter_map(|p| bank.problems.get(*p)).zip(*variants).enumerate();
@@ -107,8 +117,14 @@ impl<'t> SelfCheck<'t> {
         }
         let sheet: serde_json::Value = serde_json::from_str(sheet)
             .map_err(|e| Finding::new("sheet.json", format!("cannot be put into a page: {e}")))?;
+        let file = SheetFile::of(&sheet)?;
+        let problems = file.problems.iter().zip(problems.iter().zip(*variants));
+        let packed = problems.map(|(sheet, (index, variant))| self.packed(sheet, (*index, variant.case)));
         let data = json!({
-            "sheet": sheet,
+            "student": file.student,
+            "set": file.set,
+            "problems": packed.collect::<Result<Vec<_>, _>>()?,
+            "program": *PROGRAM_NAME,
             "phrases": self.phrases,
             "methods": self.methods(bank, &sheet),
             "words": words,
@@ -127,6 +143,27 @@ impl<'t> SelfCheck<'t> {
             policy.push_str("connect-src 'self'; worker-src 'self'; ");
         }
         Ok(Tools { policy, view, parts })
+    }
+
+    /// A problem of a sheet for the page. The scene of each problem and case is read once.
+    fn packed(&self, sheet: &SheetProblem, of: (usize, usize)) -> Result<String, Finding> {
+        let unfit = |why: &dyn std::fmt::Display| {
+            Finding::new("sheet.json", format!("cannot be put into a page: {why}"))
+        };
+        let read = self.read.lock().unwrap_or_else(PoisonError::into_inner).get(&of).cloned();
+        let posed = match read {
+            Some(posed) => posed,
+            None => {
+                let read = PosedProblem::read(sheet, "sheet.json").map_err(|why| match why {
+                    Unsolved::Faults(faults) => unfit(&faults),
+                    Unsolved::NoScene | Unsolved::Refused(..) => unfit(&"it carries no scene"),
+                })?;
+                let posed = Arc::new(read);
+                self.read.lock().unwrap_or_else(PoisonError::into_inner).insert(of, posed.clone());
+                posed
+            }
+        };
+        posed.put_to(sheet).packed().map_err(|e| unfit(&e))
     }
 
     /// The words of the wrong methods that a sheet lists, as far as the bank lets its hints go.

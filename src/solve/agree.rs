@@ -91,8 +91,6 @@ fn first_in<T: Real>(
     }
     let scales = fitting(scene, data).ok_or(Refusal::Apart)?;
     let si = |refusal| match refusal {
-        // A page tells no refusal.
-        _ if !cfg!(feature = "program") => refusal,
         Refusal::Parted { joint, off_m, at_start } => {
             Refusal::Parted { joint, off_m: scales.si("m", off_m), at_start }
         }

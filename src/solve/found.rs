@@ -2,7 +2,6 @@
 //! measurement. Each road finds it for itself, on its own equations, from the stated range alone.
 //!
 //! Beside it stands what both roads do alike with what they find of one scene: what is asked by formulas is worked out from it.
-#[cfg(feature = "program")]
 use crate::num::Dd;
 use crate::num::dd::pow2;
 use crate::num::{Fast, Real, ball, root};
@@ -66,7 +65,6 @@ pub fn road_of<T: Real>(
 }
 
 /// The value of the unknown that gives the measurement, to a few units of doubles.
-#[cfg(feature = "program")]
 pub fn datum(scene: &Scene, data: &[f64], (finds, rough): (Finds<Dd>, Finds<Fast>)) -> Option<f64> {
     search(scene.formulas.found.as_ref()?, data, &Forward { scene, finds, rough })
 }

@@ -10,6 +10,7 @@ use crate::scene::{
     Scene, SpringTie, Taken, Term, admissible, pose,
 };
 use crate::solve::method::Method;
+use serde::{Deserialize, Serialize};
 use smallvec::SmallVec;
 #[cfg(feature = "program")]
 use std::rc::Rc;
@@ -129,7 +130,7 @@ macro_rules! check_kinds {
     ($($(#[$doc:meta])* $kind:ident $name:literal $unit:literal;)*) => {
         /// Which condition of validity, or which switch of the motion: an event at which another law takes over. Near a switch an
         /// answer may jump although its condition number is small, so draws keep away from it by a margin.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
         pub enum CheckKind { $($(#[$doc])* $kind,)* }
         impl CheckKind {
             /// All of them.
@@ -556,8 +557,8 @@ pub fn sides<T: Real>(
     let senses: SmallVec<[f64; 4]> =
         found.ok_or_else(|| Refusal::Friction(guides.first().copied().unwrap_or(0), Lacks::Side))?;
     // A normal force as a function of its own coefficient of friction is a constant over what is linear in it: where its sign changes
-    // on the way from 0, it has gone through infinity, and what the equations give then does not happen. A page shows what was found sound.
-    if cfg!(feature = "program") && !T::ENCLOSES {
+    // on the way from 0, it has gone through infinity, and what the equations give then does not happen.
+    if !T::ENCLOSES {
         let mut pressed: SmallVec<[(usize, f64, f64); 4]> = SmallVec::new();
         for j in (0..senses.len()).filter(|j| senses[*j] != 0.0) {
             let mut smooth = senses.clone();
@@ -579,9 +580,6 @@ pub fn sides<T: Real>(
 
 /// Joints that leave several freedoms place no body on the way; else no way is known to place this one.
 pub fn unplaced(scene: &Scene, body: usize) -> Refusal {
-    if !cfg!(feature = "program") {
-        return Refusal::Unplaced(body);
-    }
     if scene.is_still() && (scene.starts_from_rest() || scene.tells_speeds()) {
         return Refusal::Unplaced(body);
     }
@@ -942,10 +940,6 @@ impl<T: Real> Road<T> {
             return Ok(None);
         };
         let all: Vec<f64> = data.iter().copied().chain(taken.iter().map(|x| x.f64())).collect();
-        // A page need not look: its sheet was drawn because all of this holds.
-        if !cfg!(feature = "program") {
-            return other(next, &all, &taken).map(Some);
-        }
         let faults = admissible::faults(next, &all);
         if !faults.is_empty() {
             return Err(Refusal::NextInadmissible(faults));

@@ -6,7 +6,7 @@ use crate::solve::outcome::{Check, CheckKind, Course, Held, Motion, Regime, Road
 /// A share by which a draw is judged; nothing on a page.
 fn margin<P: Real>(available: P, required: P) -> f64 {
     let larger = available.size().max(required.size());
-    if !cfg!(feature = "program") || larger == 0.0 {
+    if larger == 0.0 {
         0.0
     } else if !available.is_finite() {
         1.0
@@ -315,9 +315,6 @@ fn throw_checks(scene: &Scene, t: &Throw, checks: &mut Vec<Check>) {
         });
     }
     // What follows holds however it is: its margins alone count, for a draw.
-    if !cfg!(feature = "program") {
-        return;
-    }
     if let (true, Some((asked, until))) = (t.known && t.slips, t.times) {
         checks.push(switch(CheckKind::SlipEnds, t.tie, asked, until));
     }

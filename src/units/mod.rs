@@ -3,6 +3,7 @@
 //! A unit has a dimension in which the radian is an axis of its own, so that a torque and an energy may be confused (SI
 //! does) but an angle and a pure number may not. The radian may be dropped: `1/s` is taken for `rad/s`.
 use crate::num::decimal::nearest;
+use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::sync::Arc;
 
@@ -15,7 +16,7 @@ pub use parse::{UnitFault, names};
 pub use quantity::{QuantityFault, WrittenQuantity, parse_quantity};
 
 /// Exponents of mass, length, time and angle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct Dimension(pub [i8; 4]);
 
 impl Dimension {
@@ -50,7 +51,7 @@ impl fmt::Display for Dimension {
 }
 
 /// An exact size in SI: `num / den * 10^ten * pi^pi`, in lowest terms, no factor ten left in `num` or `den`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct UnitScale {
     pub num: u128,
     pub den: u128,
@@ -124,7 +125,7 @@ pub(crate) const TENS: [f64; 23] = [
 ];
 
 /// A unit: how it is spelled, its dimension, and its size in SI.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Unit {
     ascii: Arc<str>,
     factors: Arc<[(Box<str>, i8)]>,

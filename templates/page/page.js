@@ -100,17 +100,14 @@
   };
 
   // The sheet's own words are suggested where a word is asked.
-  for (const problem of data.sheet.problems) {
-    for (const part of problem.parts) {
-      const box = parts.get(`${problem.number}.${part.id}`);
-      const words = data.words[`${problem.number}.${part.id}`];
-      if (!box || !words) continue;
-      const list = document.createElement('datalist');
-      list.id = `words-${box.name}`;
-      list.append(...words.map((word) => new Option(word, word)));
-      box.after(list);
-      box.setAttribute('list', list.id);
-    }
+  for (const [part, words] of Object.entries(data.words)) {
+    const box = parts.get(part);
+    if (!box) continue;
+    const list = document.createElement('datalist');
+    list.id = `words-${box.name}`;
+    list.append(...words.map((word) => new Option(word, word)));
+    box.after(list);
+    box.setAttribute('list', list.id);
   }
   document.documentElement.classList.add('runs');
   $('answers').hidden = false;
@@ -142,7 +139,7 @@
   const filing = () => {
     const guarded = (text) => (/^['\s]*[=+@-]/.test(text) && !/^[+-][\d.,]+( ?[a-z%°µ].*)?$/i.test(text) ? `'${text}` : text);
     const field = (text) => (/[",;\r\n]|^\s|\s$/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
-    const { student, set } = data.sheet;
+    const { student, set } = data;
     $('save').addEventListener('click', () => {
       const saved = new Date().toISOString();
       const rows = Object.entries(answers()).map(([name, text]) => {
@@ -221,7 +218,7 @@
       document.querySelector('#answers button').hidden = now === undefined;
       const counts = { all: tasks.length, solved: tasks.length - state.queue.length };
       if (now === undefined) return tell(say('page.finished', counts));
-      open([data.sheet.problems[now]]);
+      open([data.problems[now]]);
       for (const box of inside(tasks[now])) echo(box.name);
       tell(say(say_it, counts));
       if (!focus) return;
@@ -274,9 +271,9 @@
     if (location.protocol === 'file:') throw told('page.from_server');
     if ('serviceWorker' in navigator) {
       await navigator.serviceWorker.register('../sw.js').then(() => caches.open('slipstick'))
-        .then((cache) => cache.addAll([location.pathname, '../check.wasm.gz'])).catch(() => {});
+        .then((cache) => cache.addAll([location.pathname, `../${data.program}`])).catch(() => {});
     }
-    const response = await fetch('../check.wasm.gz');
+    const response = await fetch(`../${data.program}`);
     if (!response.ok) throw told('page.no_program');
     return new Uint8Array(await response.arrayBuffer());
   };
@@ -292,14 +289,14 @@
       return new TextDecoder().decode(new Uint8Array(exports.memory.buffer, exports.place(), length));
     };
     const open = (problems) => {
-      const fault = call(exports.open, JSON.stringify({ ...data, sheet: { ...data.sheet, problems } }));
+      const fault = call(exports.open, JSON.stringify({ ...data, problems }));
       if (fault !== 'null') throw new Error(fault);
     };
     program = (request) => JSON.parse(call(exports.ask, JSON.stringify(request)));
     if (tasks.length) {
       practise(open);
     } else {
-      open(data.sheet.problems);
+      open(data.problems);
       for (const box of boxes) echo(box.name);
       tell(say('page.ready'));
     }

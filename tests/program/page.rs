@@ -9,8 +9,8 @@ use slipstick::grade::verdict::Verdict;
 use slipstick::key::{Answer, KeyEntry};
 use slipstick::misconception::catalogue::{Catalogue, CatalogueEntry};
 use slipstick::num::shown;
-use slipstick::page::check::{self, CheckedProblem};
-use slipstick::page::sheet_file::SheetFile;
+use slipstick::page::check::{self, CheckedProblem, PosedProblem};
+use slipstick::page::sheet_file::{SheetFile, SheetProblem};
 use slipstick::sheet::self_check::PROGRAM;
 use slipstick::words::Words;
 use std::fmt::Write as _;
@@ -180,7 +180,7 @@ fn others(room: &Path) -> Vec<(String, String)> {
 /// A sheet of every problem of each bank in a language, with answers and what the program says of them.
 fn made(room: &Path, language: &'static str, banks: &[(String, String)]) -> Vec<Made> {
     let roster = room.join("roster.csv");
-    std::fs::write(&roster, "student,name\n0017,Amina Yusuf\n").unwrap();
+    std::fs::write(&roster, "student,name\n0017,Amina Yusuf\n0023,Ben Okoro\n").unwrap();
     let words = Words::built_in(language).unwrap();
     let catalogue = Catalogue::shared(language);
     let find = |id: &str| catalogue.get(id).map(CatalogueEntry::words);
@@ -198,13 +198,31 @@ fn made(room: &Path, language: &'static str, banks: &[(String, String)]) -> Vec<
             continue;
         }
         assert_eq!(exit, Exit::Fine, "{err}");
+        // A page holds what its sheet says, whichever sheet of the scene was read first.
+        for student in std::fs::read_dir(out.join("students")).unwrap().map(|entry| entry.unwrap().path()) {
+            let text = |name: &str| std::fs::read_to_string(student.join(name)).unwrap();
+            let sheet = SheetFile::parse(&text("sheet.json")).unwrap();
+            let packed =
+                |p: &SheetProblem| PosedProblem::read(p, "sheet").unwrap().put_to(p).packed().unwrap();
+            let packed: Vec<String> = sheet.problems.iter().map(packed).collect();
+            assert_eq!(
+                data_of(&text("sheet.html"))["problems"],
+                serde_json::json!(packed),
+                "{}",
+                student.display()
+            );
+        }
         let folder = out.join("students/0017");
         let sheet = SheetFile::parse(&std::fs::read_to_string(folder.join("sheet.json")).unwrap()).unwrap();
         let solved: Vec<_> = sheet.problems.iter().map(|p| check::solve(p, "sheet").unwrap()).collect();
         let parts: Vec<(String, &CheckedProblem, usize)> = solved
             .iter()
             .flat_map(|p| {
-                p.key.parts.iter().enumerate().map(move |(i, e)| (format!("{}.{}", p.number, e.part), p, i))
+                p.key
+                    .parts
+                    .iter()
+                    .enumerate()
+                    .map(move |(i, e)| (format!("{}.{}", p.posed.number, e.part), p, i))
             })
             .collect();
         let round = |cell: &mut dyn FnMut(&KeyEntry) -> String| -> Vec<Case> {
@@ -337,9 +355,8 @@ fn the_ladder_of_hints_is_that_of_check() {
     );
     let data = data_of(&std::fs::read_to_string(at("none/students/0017/sheet.html")).unwrap());
     assert_eq!(data["methods"], serde_json::json!({}));
-    let sheet = SheetFile::of(&data["sheet"]).unwrap();
     let mut signs = 0;
-    for problem in sheet.problems.iter().map(|p| check::solve(p, "sheet").unwrap()) {
+    for problem in posed(&data) {
         for (index, entry) in problem.key.parts.iter().enumerate() {
             let Answer::Number { value, .. } = entry.answer else { continue };
             let cell = entry.unit.text_with(&entry.unit.from_si(-value).to_string());
@@ -395,6 +412,12 @@ fn the_program_of_the_page_answers_in_node_what_check_answers() {
     assert!(judged > 2 * RANDOM, "{judged} answers");
 }
 
+/// The problems of a page, solved.
+fn posed(data: &serde_json::Value) -> impl Iterator<Item = CheckedProblem> {
+    let problems = data["problems"].as_array().unwrap().iter();
+    problems.map(|packed| PosedProblem::unpacked(packed.as_str().unwrap()).unwrap().solved().unwrap())
+}
+
 /// A page to practise with: its file, and right answers to its problems in their order.
 fn practice(file: &str) -> serde_json::Value {
     let problems = "pulled-rolling,spring-released";
@@ -415,12 +438,10 @@ fn practice(file: &str) -> serde_json::Value {
     assert!(out.contains("4 problems (seed 5)"), "{out}");
     let words = Words::built_in("en").unwrap();
     let data = data_of(&std::fs::read_to_string(file).unwrap());
-    let sheet = SheetFile::of(&data["sheet"]).unwrap();
-    let solved = sheet.problems.iter().map(|p| check::solve(p, "sheet").unwrap());
-    let tasks: Vec<_> = solved
+    let tasks: Vec<_> = posed(&data)
         .map(|p| {
             let answer =
-                |e: &KeyEntry| serde_json::json!([format!("{}.{}", p.number, e.part), right(e, words)]);
+                |e: &KeyEntry| serde_json::json!([format!("{}.{}", p.posed.number, e.part), right(e, words)]);
             p.key.parts.iter().map(answer).collect::<Vec<_>>()
         })
         .collect();

@@ -2,7 +2,6 @@
 use crate::bank::need::Need;
 use crate::bank::node::{Fields, Node, shorten};
 use crate::bank::scene::SceneReader;
-use crate::finding::told;
 use crate::scene::{Attach, Body, Coordinate, Cord, Degree, End, Far, Heading, Joint, Num, Slope, Tie};
 
 /// How an end is written.
@@ -26,11 +25,11 @@ const fn along(body: usize) -> Coordinate {
 /// How the motion of a body ends that is pinned or moves in the plane.
 fn in_plane(body: &Body) -> String {
     match body.turns {
-        false => told!(
+        false => format!(
             "a body that only slides leads no motion: end at the angle of one that turns (hinge it to a light rod, of `mass: 0 kg`), or \
              let it move `vertically` or `along` a surface"
         ),
-        true => told!("write `angle: {{of: {}, reaches: phi1}}`", body.name),
+        true => format!("write `angle: {{of: {}, reaches: phi1}}`", body.name),
     }
 }
 
@@ -67,7 +66,7 @@ impl SceneReader<'_> {
             let hint = in_plane(&bodies[body]);
             return self.faults.refuse_with(
                 value,
-                told!("`{}` moves in the plane: it ends at an angle", bodies[body].name),
+                format!("`{}` moves in the plane: it ends at an angle", bodies[body].name),
                 hint,
             );
         }
@@ -81,7 +80,7 @@ impl SceneReader<'_> {
                 (self.over(by, slope.map(|s| (format!("sin({s})"), false)), Need::LENGTH), line)
             }
             _ => {
-                let message = told!("`{}` gains and loses no height along its line", bodies[body].name);
+                let message = format!("`{}` gains and loses no height along its line", bodies[body].name);
                 return self.faults.refuse_with(value, message, "write `travel`, `turn` or another end");
             }
         };
@@ -111,8 +110,8 @@ impl SceneReader<'_> {
         else {
             let names = || wound.iter().map(|(name, ..)| name.as_str());
             let message =
-                told!("`{}` is no cord that is wound on a body", shorten(cord.text().unwrap_or("")));
-            let hint = told!("wound cords: {}", names().collect::<Vec<_>>().join(", "));
+                format!("`{}` is no cord that is wound on a body", shorten(cord.text().unwrap_or("")));
+            let hint = format!("wound cords: {}", names().collect::<Vec<_>>().join(", "));
             return self.faults.refuse_with(cord, message, hint);
         };
         let radius = match *radius {
@@ -202,16 +201,16 @@ impl SceneReader<'_> {
         });
         let body = body?;
         if word == "turn" && !bodies[body].turns {
-            return f.refuse(value, told!("`{}` does not turn", bodies[body].name));
+            return f.refuse(value, format!("`{}` does not turn", bodies[body].name));
         }
         let pinned = bodies[body].planar.is_some();
         let name = &bodies[body].name;
         if pinned && ["travel", "turn", "position"].contains(&word) {
             let held = if bodies[body].is_pinned() { "is pinned" } else { "moves in the plane" };
-            f.hint(key, told!("`{name}` {held}: it ends at an angle"), in_plane(&bodies[body]));
+            f.hint(key, format!("`{name}` {held}: it ends at an angle"), in_plane(&bodies[body]));
         }
         if !pinned && word == "angle" {
-            f.hint(key, told!("`{name}` is not pinned, so it has no angle"), "`travel`, `turn`, or pin it");
+            f.hint(key, format!("`{name}` is not pinned, so it has no angle"), "`travel`, `turn`, or pin it");
         }
         if let Some(n) = heading_node.filter(|_| pinned) {
             f.hint(n, "a pinned body goes where its forces or its start take it", "remove this field");

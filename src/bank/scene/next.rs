@@ -1,7 +1,6 @@
 //! The motion that begins where the one before it ends: the same scene, with what is written under `next` over what it says.
-use crate::bank::node::{Node, Value, WHOLE};
+use crate::bank::node::{Node, Value};
 use crate::bank::scene::SceneReader;
-use crate::finding::told;
 use crate::num::formula::{Formula, Step};
 use crate::scene::{
     Attach, Coordinate, Degree, Derived, End, Far, Given, JointKind, Label, Num, Owner, Quantity, Rest,
@@ -59,15 +58,15 @@ impl SceneReader<'_> {
         let Some(mut whole) = node.overlaid(changes) else {
             return f.refuse_with(
                 changes,
-                told!("expected what changes in the motion that follows, found {}", changes.kind()),
+                format!("expected what changes in the motion that follows, found {}", changes.kind()),
                 "for example `{end: {turning point: block}}`",
             );
         };
         let mut written = FIELDS.iter().filter_map(|(field, why)| Some((changes.field(field)?, field, why)));
-        if let Some((n, field, why)) = written.find(|_| WHOLE) {
-            return f.refuse_with(n, told!("`{field}` is not written here: {why}"), "remove this field");
+        if let Some((n, field, why)) = written.next() {
+            return f.refuse_with(n, format!("`{field}` is not written here: {why}"), "remove this field");
         }
-        if WHOLE && changes.field("end").is_none() {
+        if changes.field("end").is_none() {
             return f.refuse_with(changes, "`end` is missing", "say what ends the motion that follows");
         }
         if let Value::Map(fields) = &mut whole.value {
@@ -76,10 +75,6 @@ impl SceneReader<'_> {
         let mut next = self.scene(&whole, gravity)?;
         // The impact that set the first one off does not come again.
         next.bodies.iter_mut().filter_map(|b| b.planar.as_mut()).for_each(|planar| planar.arrives = None);
-        if !WHOLE {
-            take_over(first, &mut next, gravity + 1);
-            return Some(next);
-        }
         let met = self.met.borrow();
         let open = [
             (!met.touches.is_empty(), "`touches` does not say whether it rolls", "write `rolls` or `slips`"),
@@ -88,7 +83,7 @@ impl SceneReader<'_> {
         if let Some((_, what, hint)) = open.into_iter().find(|(is, ..)| *is) {
             return f.refuse_with(
                 changes,
-                told!("a motion that follows needs a scene that says everything: {what}"),
+                format!("a motion that follows needs a scene that says everything: {what}"),
                 hint,
             );
         }

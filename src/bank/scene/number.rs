@@ -3,9 +3,8 @@ use crate::bank::any::AnyNumber;
 use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::measure;
 use crate::bank::need::Need;
-use crate::bank::node::{Fields, Node, Value, WHOLE, shorten};
+use crate::bank::node::{Fields, Node, Value, shorten};
 use crate::bank::scene::{DatumUse, SceneReader};
-use crate::finding::told;
 use crate::num::decimal::one_of;
 use crate::num::formula::{Formula, Step};
 use crate::scene::{Derived, Given, Num};
@@ -35,7 +34,7 @@ impl SceneReader<'_> {
     pub(super) fn number(&self, node: &Node, need: &Need) -> Option<Num> {
         let f = self.faults;
         let Some(text) = node.text().map(str::trim) else {
-            let hint = told!("a symbol of the data, or a constant such as `{}`", need.example);
+            let hint = format!("a symbol of the data, or a constant such as `{}`", need.example);
             return f.expected(node, need.words, hint);
         };
         if text == "any" {
@@ -45,8 +44,8 @@ impl SceneReader<'_> {
             // A unit that is wrong is a finding already; the datum counts as used all the same.
             if let Some(unit) = self.symbols[datum].unit.as_ref().filter(|u| !measure::fits(u, need.unit)) {
                 let message =
-                    told!("`{text}` has the unit {}, but it is used as {}", unit.ascii(), need.words);
-                let hint = told!("{} has a unit such as {}", need.words, need.unit);
+                    format!("`{text}` has the unit {}, but it is used as {}", unit.ascii(), need.words);
+                let hint = format!("{} has a unit such as {}", need.words, need.unit);
                 return f.refuse_with(node, message, hint);
             }
             self.met.borrow_mut().uses.push(DatumUse { datum, need: *need });
@@ -58,23 +57,22 @@ impl SceneReader<'_> {
         if text.is_empty() || text.starts_with(|c: char| c.is_alphabetic() || c == '_') {
             let known = self.symbols.iter().map(|s| s.name.as_str());
             let hint = spell::did_you_mean(text, known.clone()).unwrap_or_else(|| {
-                told!(
+                format!(
                     "symbols: {}; or a constant such as `{}`",
                     known.collect::<Vec<_>>().join(", "),
                     need.example
                 )
             });
-            return f.refuse_with(node, told!("`{}` is no symbol of the data", shorten(text)), hint);
+            return f.refuse_with(node, format!("`{}` is no symbol of the data", shorten(text)), hint);
         }
         match measure::constant(text, need.unit) {
             Ok(value) => self.constant(node, text, value, need),
             Err(message) => {
-                let hint = match WHOLE && (text.contains('(') || text.contains(" - ") || text.contains(" + "))
-                {
-                    true => told!(
+                let hint = match text.contains('(') || text.contains(" - ") || text.contains(" + ") {
+                    true => format!(
                         "a number within an expression has no unit: make it a datum and write its symbol; angles count in radians there, as `pi/2 - x`"
                     ),
-                    false => told!("{} is written like `{}`", need.words, need.example),
+                    false => format!("{} is written like `{}`", need.words, need.example),
                 };
                 f.refuse_with(node, message, hint)
             }
@@ -85,7 +83,7 @@ impl SceneReader<'_> {
     pub(super) fn constant(&self, node: &Node, text: &str, value: f64, need: &Need) -> Option<Num> {
         match need.admits(value) {
             Ok(()) => Some(Num::Fixed(value)),
-            Err(message) => self.faults.refuse(node, told!("`{}`: {message}", shorten(text))),
+            Err(message) => self.faults.refuse(node, format!("`{}`: {message}", shorten(text))),
         }
     }
 
@@ -96,7 +94,7 @@ impl SceneReader<'_> {
             words if words == Need::RADIUS.words => "R",
             _ => {
                 let hint = "only a mass or the radius of a shape may be `any`, where it cancels";
-                return self.faults.refuse_with(node, told!("{} cannot be `any`", need.words), hint);
+                return self.faults.refuse_with(node, format!("{} cannot be `any`", need.words), hint);
             }
         };
         let formula = Formula::new(vec![Step::Number(1.0)]);
@@ -117,17 +115,17 @@ impl SceneReader<'_> {
             let Some(datum) = self.symbols.iter().position(|s| s.name == name) else {
                 let known = self.symbols.iter().map(|s| s.name.as_str());
                 let hint = spell::hint(name, "symbols", known);
-                return Err((told!("`{}` is no symbol of the data", shorten(name)), Some(hint)));
+                return Err((format!("`{}` is no symbol of the data", shorten(name)), Some(hint)));
             };
             let symbol = &self.symbols[datum];
             if symbol.absent {
-                return Err((told!("`{name}` is not drawn"), Some(told!("draw it, or leave it out"))));
+                return Err((format!("`{name}` is not drawn"), Some(format!("draw it, or leave it out"))));
             }
             let powers = symbol.unit.as_ref().map_or([0; 3], measure::powers);
             Ok((Name::Datum(datum, false), powers))
         };
         let mut read = Expression::parse(text, &lookup);
-        if WHOLE && read.is_err() && self.symbols.iter().any(|s| s.unit.is_none()) {
+        if read.is_err() && self.symbols.iter().any(|s| s.unit.is_none()) {
             // A unit that is wrong is a finding already, and no sum can be judged without it.
             read = Expression::parse_loosely(text, &lookup);
         }
@@ -135,18 +133,16 @@ impl SceneReader<'_> {
         let data: Vec<usize> = expression.data().collect();
         let own = |i: usize| self.symbols.get(i);
         let known = data.iter().all(|i| own(*i).is_none_or(|s| s.unit.is_some()));
-        if WHOLE && known && expression.powers != wanted {
+        if known && expression.powers != wanted {
             let found = measure::powers_text(expression.powers);
             let message =
-                told!("`{}` has the dimension {found}, but it is used as {}", shorten(text), need.words);
-            let hint = told!("{} has the dimension {}", need.words, measure::powers_text(wanted));
+                format!("`{}` has the dimension {found}, but it is used as {}", shorten(text), need.words);
+            let hint = format!("{} has the dimension {}", need.words, measure::powers_text(wanted));
             return f.refuse_with(node, message, hint);
         }
-        if WHOLE {
-            let symbols = data.iter().filter(|i| own(**i).is_some());
-            let uses = symbols.map(|datum| DatumUse { datum: *datum, need: *Need::TERM });
-            self.met.borrow_mut().uses.extend(uses);
-        }
+        let symbols = data.iter().filter(|i| own(**i).is_some());
+        let uses = symbols.map(|datum| DatumUse { datum: *datum, need: *Need::TERM });
+        self.met.borrow_mut().uses.extend(uses);
         let powers = |i: usize| {
             let given = || own(i)?.unit.as_ref().map(measure::powers);
             let powers = if i == self.gravity { Some(measure::own_powers("m/s^2")) } else { given() };
@@ -176,7 +172,7 @@ impl SceneReader<'_> {
                 Some([x?, y?])
             }
             _ => {
-                let message = told!("expected a place such as `[x_A, y_A]`, found {}", node.kind());
+                let message = format!("expected a place such as `[x_A, y_A]`, found {}", node.kind());
                 self.faults.refuse(node, message)
             }
         }

@@ -1,8 +1,7 @@
 //! Bodies that move in the plane, and their joints, forces and springs.
 use crate::bank::need::Need;
-use crate::bank::node::{Fields, Node, Value, WHOLE, named, shorten};
+use crate::bank::node::{Fields, Node, Value, named, shorten};
 use crate::bank::scene::{SceneReader, plain_name};
-use crate::finding::{only_told, told};
 use crate::scene::{
     Acts, Arrives, Body, Branch, Joint, JointKind, Num, Place, Planar, Push, Ray, Rest, Spot, Straight,
     Strut, StrutEnd, Surface, on_axis,
@@ -17,15 +16,15 @@ const ORIGIN: [Place; 2] = [Place::At(Num::Fixed(0.0)); 2];
 
 /// Kinds of joints: field that names what is held, and what it is.
 const JOINTS: [(&str, &str); 9] = [
-    ("pins", only_told("a point that stays in its place")),
-    ("hinges", only_told("two points that stay together")),
-    ("welds", only_told("two points that stay together, with the angle between their bodies")),
-    ("guides", only_told("a point that stays on a line")),
-    ("ties", only_told("a point at the end of a cord")),
-    ("links", only_told("a point at the end of a light rod")),
-    ("rolls", only_told("a wheel that rolls, by its centre")),
-    ("meshes", only_told("a gear that meshes with a fixed one, by its centre")),
-    ("slides", only_told("a wheel or a point on a smooth surface")),
+    ("pins", "a point that stays in its place"),
+    ("hinges", "two points that stay together"),
+    ("welds", "two points that stay together, with the angle between their bodies"),
+    ("guides", "a point that stays on a line"),
+    ("ties", "a point at the end of a cord"),
+    ("links", "a point at the end of a light rod"),
+    ("rolls", "a wheel that rolls, by its centre"),
+    ("meshes", "a gear that meshes with a fixed one, by its centre"),
+    ("slides", "a wheel or a point on a smooth surface"),
 ];
 
 /// Directions of lines in words, degrees.
@@ -47,12 +46,8 @@ pub const ANGLES: [(&str, (Ray, bool)); 8] = [
 ];
 
 /// All words for that, for who writes another one.
-const FROM_WHERE: &str = if cfg!(feature = "program") {
-    "write `from right` or `from horizontal`, `from up`, `from upright` or `from vertical`, `from down` or `from hanging`; another \
-     sense than the usual one, and that of `from left`, with `clockwise` or `counter-clockwise`"
-} else {
-    ""
-};
+const FROM_WHERE: &str = "write `from right` or `from horizontal`, `from up`, `from upright` or `from vertical`, `from down` or \
+                          `from hanging`; another sense than the usual one, and that of `from left`, with `clockwise` or `counter-clockwise`";
 
 impl SceneReader<'_> {
     /// How a body lies in the plane; the start gives its angle.
@@ -94,7 +89,7 @@ impl SceneReader<'_> {
         let (f, mut points) = (self.faults, Vec::new());
         for (name, key, value) in named(node, "points by name, such as `{A: 0 m, B: L}`", f) {
             if !plain_name(name) {
-                let message = told!("`{}` is no name for a point", shorten(name));
+                let message = format!("`{}` is no name for a point", shorten(name));
                 f.hint(key, message, "letters, digits and `_`, beginning with a letter");
             }
             let place = match &value.value {
@@ -131,19 +126,16 @@ impl SceneReader<'_> {
             .map(|point| Spot { body, point })
         });
         found.or_else(|| {
-            if !WHOLE {
-                return self.faults.expected(node, "a point of a body", "");
-            }
             // Of a body that there is its own points.
             let own = |b: &&Body| b.planar.is_some() && body.is_none_or(|body| bodies[body].name == b.name);
             let known = bodies.iter().filter(own).flat_map(|b| {
                 let names = b.planar.iter().flat_map(|p| p.points.iter().map(|(n, _)| n.as_str()));
-                names.map(|point| told!("{}.{point}", b.name))
+                names.map(|point| format!("{}.{point}", b.name))
             });
             let known: Vec<String> = known.collect();
             let hint = spell::hint(text, "points", known.iter().map(String::as_str));
             let what = match known.first().filter(|_| body.is_some()) {
-                Some(first) => told!("a point of `{name}`, such as `{first}`"),
+                Some(first) => format!("a point of `{name}`, such as `{first}`"),
                 None => "a point of a body".to_owned(),
             };
             self.faults.expected(node, &what, hint)
@@ -156,7 +148,7 @@ impl SceneReader<'_> {
         let mut list = Vec::new();
         for (name, key, value) in named(node, "joints by name, such as `{floor: {guides: rod.A}}`", f) {
             if !plain_name(name) {
-                let message = told!("`{}` is no name for a joint", shorten(name));
+                let message = format!("`{}` is no name for a joint", shorten(name));
                 f.hint(key, message, "letters, digits and `_`, beginning with a letter");
             }
             let Some(mut fields) = Fields::open(
@@ -171,9 +163,8 @@ impl SceneReader<'_> {
             let kind = match (held.next(), held.next()) {
                 (Some((word, n)), None) => self.joint(word, n, &mut fields, bodies),
                 _ => {
-                    let words =
-                        told!("{}", JOINTS.map(|(word, what)| format!("`{word}` ({what})")).join(", "));
-                    f.refuse_with(value, told!("`{name}` has to say what it holds"), words)
+                    let words = JOINTS.map(|(word, what)| format!("`{word}` ({what})")).join(", ");
+                    f.refuse_with(value, format!("`{name}` has to say what it holds"), words)
                 }
             };
             if let Some(n) = fields.get("restitution")
@@ -252,7 +243,8 @@ impl SceneReader<'_> {
                 Some(JointKind::Hinge { one, other, turned_deg })
             }
             _ => {
-                let message = told!("expected two points such as `[crank.B, rod.A]`, found {}", node.kind());
+                let message =
+                    format!("expected two points such as `[crank.B, rod.A]`, found {}", node.kind());
                 self.faults.refuse(node, message)
             }
         }
@@ -374,7 +366,7 @@ impl SceneReader<'_> {
                 (None, Num::Datum(_), Ray::Up | Ray::Left) => {
                     // In no draw may the left of the direction be the other side.
                     let need = if pushes == Ray::Up { Need::PUSHES_UP } else { Need::PUSHES_LEFT };
-                    along_node.filter(|_| WHOLE).and_then(|n| self.number(n, need));
+                    along_node.and_then(|n| self.number(n, need));
                 }
                 (None, Num::Derived(_), Ray::Up | Ray::Left) => {}
                 (None, ..) => {
@@ -395,7 +387,7 @@ impl SceneReader<'_> {
         let [speed, spin] = fields.each(["speed", "spin"]);
         let given =
             |node: Option<&Node>, need| node.map_or(Some(Num::Fixed(0.0)), |n| self.at_start(n, need));
-        if WHOLE && (speed.is_none() && spin.is_none() || spin.is_some() && !turns) {
+        if speed.is_none() && spin.is_none() || spin.is_some() && !turns {
             let hint = "write `{speed: v, direction: right}`, or `{spin: w}` of what turns";
             self.faults.hint(node, "it has no such velocity before the impact", hint);
         }
@@ -457,7 +449,7 @@ impl SceneReader<'_> {
             if !turns {
                 f.hint(
                     node,
-                    told!("`{}` does not turn", bodies[spot.body].name),
+                    format!("`{}` does not turn", bodies[spot.body].name),
                     "give it a shape or another inertia",
                 );
             }

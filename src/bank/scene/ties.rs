@@ -1,8 +1,7 @@
 //! Ties: contacts with surfaces, cords, light rods, teeth and belts, and bodies that rest on wheels.
 use crate::bank::need::Need;
-use crate::bank::node::{Fields, Node, Value, WHOLE, items};
+use crate::bank::node::{Fields, Node, Value, items};
 use crate::bank::scene::{DatumUse, SceneReader, plain_name};
-use crate::finding::told;
 use crate::scene::{
     Attach, Body, Cord, CordEnd, Far, GivenForce, Grows, Growth, Law, Made, Num, Side, Slope, Tie,
 };
@@ -13,22 +12,20 @@ const UNNAMED: [&str; 2] = ["cord", "link"];
 impl SceneReader<'_> {
     /// The radius of a body at which a tie acts; this is what makes a radius used.
     pub(super) fn radius(&self, node: &Node, body: &Body) -> Option<Num> {
-        let what = told!("a radius of `{}`", body.name);
+        let what = format!("a radius of `{}`", body.name);
         if body.radii_m.is_empty() {
-            let hint = told!("give `{}` a field `radii`, for example `radii: {{rim: R}}`", body.name);
+            let hint = format!("give `{}` a field `radii`, for example `radii: {{rim: R}}`", body.name);
             return self.faults.expected(node, &what, hint);
         }
         let names = body.radii_m.iter().map(|(n, _)| n.as_str());
-        let (_, num) = body.radii_m[self.called(node, (&what, &told!("radii of `{}`", body.name)), names)?];
+        let (_, num) =
+            body.radii_m[self.called(node, (&what, &format!("radii of `{}`", body.name)), names)?];
         self.winds_on(num);
         Some(num)
     }
 
     /// Notes a radius as used. A page needs to know only what is used in degrees.
     pub(super) fn winds_on(&self, radius: Num) {
-        if !WHOLE {
-            return;
-        }
         let uses = &mut self.met.borrow_mut().uses;
         match radius {
             Num::Datum(datum) => uses.push(DatumUse { datum, need: *Need::RADIUS }),
@@ -59,7 +56,7 @@ impl SceneReader<'_> {
                     if ties.iter().any(on) {
                         f.hint(
                             item,
-                            told!("something rests on `{}` twice", bodies[end.body].name),
+                            format!("something rests on `{}` twice", bodies[end.body].name),
                             "keep one of them",
                         );
                     }
@@ -91,7 +88,7 @@ impl SceneReader<'_> {
             {
                 f.hint(
                     item,
-                    told!("`{}` touches its surface twice", bodies[body].name),
+                    format!("`{}` touches its surface twice", bodies[body].name),
                     "keep one of `rolls`, `slips`, `slides`, `touches`",
                 );
             }
@@ -99,7 +96,7 @@ impl SceneReader<'_> {
                 && !UNNAMED.contains(&c.name.as_str())
                 && ties.iter().any(|t| matches!(t, Tie::Cord(o) if o.name == c.name))
             {
-                f.hint(item, told!("two cords are called `{}`", c.name), "give each its own name");
+                f.hint(item, format!("two cords are called `{}`", c.name), "give each its own name");
             }
             ties.push(tie);
         }
@@ -125,7 +122,7 @@ impl SceneReader<'_> {
         if !surface && body.is_some_and(|b| bodies[b].line.is_some() || bodies[b].turns) {
             f.hint(
                 node,
-                told!("`{}` touches no surface", body.map_or("", |b| &bodies[b].name)),
+                format!("`{}` touches no surface", body.map_or("", |b| &bodies[b].name)),
                 "write `moves: along SURFACE`",
             );
         }
@@ -135,7 +132,7 @@ impl SceneReader<'_> {
             if let Some(b) = body
                 && bodies[b].turns
             {
-                let message = told!("`{}` can turn, so it rolls or slips", bodies[b].name);
+                let message = format!("`{}` can turn, so it rolls or slips", bodies[b].name);
                 return f.refuse_with(node, message, "write `rolls:` or `slips:`");
             }
             return Some(Tie::Slide { body: body?, mu_s: mu_s?, mu_k: mu_k? });
@@ -147,7 +144,7 @@ impl SceneReader<'_> {
         {
             f.hint(
                 node,
-                told!("`{}` has no inertia, so it cannot turn", bodies[b].name),
+                format!("`{}` has no inertia, so it cannot turn", bodies[b].name),
                 "give it a `radius of gyration` or a `shape`, or write `slides:`",
             );
         }
@@ -205,7 +202,7 @@ impl SceneReader<'_> {
             };
             let known: Vec<String> =
                 ["t", place].into_iter().flat_map(powers).map(|(word, _)| word).collect();
-            let hint = told!("one of {}; {what} since the start", known.join(", "));
+            let hint = format!("one of {}; {what} since the start", known.join(", "));
             self.faults.expected(node, "what it grows with", hint)
         })
     }
@@ -216,7 +213,7 @@ impl SceneReader<'_> {
         let what = "two rims such as `[gear.rim, pinion.rim]`";
         let both = items(node, what, f)?;
         let [one, other] = both else {
-            return f.refuse(node, told!("expected {what}, found {}", both.len()));
+            return f.refuse(node, format!("expected {what}, found {}", both.len()));
         };
         let rim = |node: &Node| {
             let (index, body, radius) = wheel_of(node, bodies)?;
@@ -252,7 +249,7 @@ impl SceneReader<'_> {
         let (Some(load), Some(on)) = (body, on) else { return Vec::new() };
         let Some(line) = bodies[load].line.filter(|_| !bodies[load].turns) else {
             let hint = "what rests on wheels only moves, `moves: along SURFACE`, without an inertia";
-            f.hint(node, told!("`{}` cannot rest on wheels", bodies[load].name), hint);
+            f.hint(node, format!("`{}` cannot rest on wheels", bodies[load].name), hint);
             return Vec::new();
         };
         let wheels = match &on.value {
@@ -289,9 +286,9 @@ impl SceneReader<'_> {
     /// The name of a cord or a light rod.
     pub(super) fn tie_name(&self, node: Option<&Node>, unnamed: &str) -> Option<String> {
         let Some(node) = node else { return Some(unnamed.to_owned()) };
-        let name = node.text().filter(|t| !WHOLE || plain_name(t));
+        let name = node.text().filter(|t| plain_name(t));
         if name.is_none() {
-            let message = told!("{} is no name for a {unnamed}", node.kind());
+            let message = format!("{} is no name for a {unnamed}", node.kind());
             self.faults.hint(node, message, "letters, digits and `_`");
         }
         name.map(str::to_owned)
@@ -312,7 +309,7 @@ impl SceneReader<'_> {
             line.map(|line| (line.slope, end.forward == line.forward_up))
         };
         let straight = || matches!((up(from), up(to)), (Some((a, x)), Some((b, y))) if a == b && x != y);
-        if WHOLE && (from.body == to.body || !straight()) {
+        if from.body == to.body || !straight() {
             let hint = "both bodies move along the same surface, or both vertically, each end is `tied at: centre`, and of two that count \
                         positive alike one end leaves `forward`, the other `back`; round a corner only a `cord` goes";
             return f.refuse_with(node, "a light rod is straight: its ends leave toward each other", hint);
@@ -341,10 +338,7 @@ impl SceneReader<'_> {
             f.hint(n, "what is not given does not grow", "`growing by` stands beside `pulled with`");
         }
         self.grows(growing, GivenForce::Pull(tie));
-        if WHOLE
-            && from.is_some_and(|from| from.tilt_deg.is_some())
-            && (pulled.is_none() || growing.is_some())
-        {
+        if from.is_some_and(|from| from.tilt_deg.is_some()) && (pulled.is_none() || growing.is_some()) {
             let hint = "`at an angle` stands beside `pulled with` and a constant force: what grows, and what ends at another body, a spring \
                         or a wall, leads along the surface";
             f.hint(node, "only a constant pull leads away from the surface", hint);
@@ -361,7 +355,7 @@ impl SceneReader<'_> {
         if let (Some(from), Some(Far::Body(to))) = (&from, &far)
             && from.body == to.body
         {
-            return f.refuse(node, told!("both ends of this cord are at `{}`", bodies[from.body].name));
+            return f.refuse(node, format!("both ends of this cord are at `{}`", bodies[from.body].name));
         }
         Some(Cord { name: name?, from: from?, to: far?, made: Made::Cord })
     }
@@ -397,20 +391,21 @@ impl SceneReader<'_> {
             n.text().is_some_and(|t| t.trim().ends_with(" forward") || t.trim().ends_with(" back"))
         };
         let level = body.line.is_none() && !body.is_pinned() && leaves.is_some_and(sideways);
-        if WHOLE && let (Some(n), false) = (tilted, level || body.line.is_some_and(|l| l.surface)) {
+        if let (Some(n), false) = (tilted, level || body.line.is_some_and(|l| l.surface)) {
             f.hint(
                 n,
-                told!("`{}` moves along no surface", body.name),
+                format!("`{}` moves along no surface", body.name),
                 "an angle is that of a pull on what lies on a surface, or of one that leaves a fixed axle at the `top forward`, `bottom back` and the like",
             );
         }
         if !body.particles.is_empty() {
-            return f.refuse(node, told!("`{}` is made of particles; no cord can be tied to it", body.name));
+            return f
+                .refuse(node, format!("`{}` is made of particles; no cord can be tied to it", body.name));
         }
         if body.is_pinned() {
             return f.refuse_with(
                 node,
-                told!("no cord is tied to the pinned body `{}`", body.name),
+                format!("no cord is tied to the pinned body `{}`", body.name),
                 "a spring stands under `forces`: `spring: {on: ..., at: b, anchor: [x_A, y_A], ...}`",
             );
         }
@@ -418,7 +413,7 @@ impl SceneReader<'_> {
             (Some(n), None) => {
                 let radius = self.radius(n, body);
                 if !body.turns {
-                    let message = told!("`{}` has no inertia, so it cannot turn", body.name);
+                    let message = format!("`{}` has no inertia, so it cannot turn", body.name);
                     return f.refuse_with(node, message, "write `tied at: centre`");
                 }
                 let (side, forward) = self.leaves_wound(leaves?, body)?;
@@ -440,13 +435,14 @@ impl SceneReader<'_> {
                 )?;
                 let Some(line) = body.line else {
                     if body.planar.is_some() {
-                        let message = told!("`{}` moves in the plane, where `ties` hold nothing", body.name);
-                        let hint = told!(
+                        let message =
+                            format!("`{}` moves in the plane, where `ties` hold nothing", body.name);
+                        let hint = format!(
                             "write a joint such as `cord: {{cord: A, to: [0 m, 2 m]}}`, or a force; a weight on a cord over a pulley is not solved there"
                         );
                         return f.refuse_with(node, message, hint);
                     }
-                    let message = told!("the centre of `{}` does not move", body.name);
+                    let message = format!("the centre of `{}` does not move", body.name);
                     return f.refuse_with(node, message, "write `wound on: ...`");
                 };
                 let words =

@@ -221,7 +221,6 @@ pub fn road<T: Real>(
 
 /// Force, inertia and bend of `inertia q'' + bend q'^2 = force`, SI, where the leading angle has changed by this, rad, and nothing rubs;
 /// `None` where the joints do not let it.
-#[cfg(feature = "program")]
 pub fn balance_after(scene: &Scene, n: &Numbers<f64>, way: f64) -> Option<[f64; 3]> {
     let account = Account::new(scene, n).ok()?;
     let poses = account.poses(way).ok()?;

@@ -48,7 +48,6 @@ pub fn road_of<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Roa
 }
 
 /// The datum that is found from a measurement, to a few units of doubles.
-#[cfg(feature = "program")]
 pub fn datum_found(scene: &Scene, data: &[f64]) -> Option<f64> {
     found::datum(scene, data, (of_kind, of_kind))
 }

@@ -16,7 +16,7 @@ use crate::num::{Dd, Real, root, trig};
 use crate::scene::{End, Numbers, Owner, Quantity, Scene};
 use crate::solve::eom::integrate::{Event, Route, pace};
 use crate::solve::eom::pendulum::Pendulum;
-use crate::solve::eom::planar::{LOOKED_THROUGH, Mechanism, Rates, Response, State};
+use crate::solve::eom::planar::{Mechanism, Rates, Response, State};
 use crate::solve::eom::travel;
 use crate::solve::eom::{STEPS, Steps};
 use crate::solve::method::Rung;
@@ -439,8 +439,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             slopes.push(slope);
         }
         let mass = |inertia: &T| if self.is_rubbed() { 1.0 } else { inertia.f64() };
-        let masses: PerNode<f64> =
-            inertias.iter().filter(|_| LOOKED_THROUGH).map(|inertia| T::leading(|| mass(inertia))).collect();
+        let masses: PerNode<f64> = inertias.iter().map(|inertia| T::leading(|| mass(inertia))).collect();
         // The integrating factor where something rubs. Growths are exponents: beside 1 they count.
         let mut rough = 0.0;
         if self.is_rubbed() {
@@ -562,12 +561,10 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                     finer => found = finer,
                 }
             }
-            if LOOKED_THROUGH {
-                let until = found.map_or(panel.ends.1, |stop| self.variable(stop.way));
-                let at = |node: &Dd| panel.ends.0 + (panel.ends.1 - panel.ends.0) * T::constant(*node);
-                let before = self.fine.rule.nodes.iter().take_while(|node| at(node).below(until));
-                before.zip(&panel.energies).for_each(|(_, energy)| passes.see(*energy));
-            }
+            let last = found.map_or(panel.ends.1, |stop| self.variable(stop.way));
+            let at = |node: &Dd| panel.ends.0 + (panel.ends.1 - panel.ends.0) * T::constant(*node);
+            let before = self.fine.rule.nodes.iter().take_while(|node| at(node).below(last));
+            before.zip(&panel.energies).for_each(|(_, energy)| passes.see(*energy));
             let part = match &found {
                 Some(stop) => stop.time,
                 None => (panel.uneven <= 1.0).then(|| self.fine.rule.mean(&panel.times)),
@@ -985,7 +982,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     /// How far it could go, in what its end is told by.
     fn farthest(&self, teller: &Teller<T>, stop: &Stop<T>, reached: bool, most: Option<T>) -> T {
         let endless = T::of(f64::INFINITY);
-        let margins = cfg!(feature = "program") && teller.pinned.is_some() && teller.asked.held;
+        let margins = teller.pinned.is_some() && teller.asked.held;
         match self.mechanism.scene.end {
             End::Angle(..) if reached && margins => {
                 self.limit(stop).map_or(endless, |way| way * trig::degrees_per_radian())
@@ -1026,7 +1023,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         by: Option<Steps>,
     ) -> Result<(), Refusal> {
         let scene = self.mechanism.scene;
-        if LOOKED_THROUGH && let Some(strikes) = self.mechanism.pierces(self.sense, (stop.way, look())) {
+        if let Some(strikes) = self.mechanism.pierces(self.sense, (stop.way, look())) {
             return Err(Refusal::Beyond(strikes));
         }
         teller.tell_met(&self.meets, stop.way)?;

@@ -870,7 +870,7 @@ impl<'a, T: Real> Walk<'a, T> {
         let back = if self.turned { last.sign() } else { 1.0 };
         let sense = sense * back;
         // How much of the greatest kinetic energy is left where it is slowest: for margins alone.
-        let slowest = if cfg!(feature = "program") && straight && !least.same(last) {
+        let slowest = if straight && !least.same(last) {
             let share = T::leading(|| least.f64() / from.f64().max(last.f64()));
             if law.with == Grows::Time { share * share } else { share }
         } else {
@@ -1140,9 +1140,7 @@ impl<'a, T: Real> Walk<'a, T> {
                         let least = least.unwrap_or(0);
                         let force = walk.n.publish(Quantity::Tension, forces[least]).f64();
                         let at = walk.moments(places).nth(least).unwrap_or((&walk.response, &[]));
-                        // A page needs no margin.
-                        let program = cfg!(feature = "program");
-                        let share = if program { walk.share_of_tension(t, forces[least], at) } else { 1.0 };
+                        let share = walk.share_of_tension(t, forces[least], at);
                         Held::Cord(t, force, share)
                     });
                 }

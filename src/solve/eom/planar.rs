@@ -25,10 +25,6 @@ use crate::solve::outcome::{self, Refusal};
 use smallvec::{SmallVec, smallvec};
 use std::cell::RefCell;
 
-/// Are joints looked through for what they do not say or hold, and motions for where they cannot be followed? Not in a page, whose sheet
-/// was drawn from a scene that was looked through.
-pub const LOOKED_THROUGH: bool = cfg!(feature = "program");
-
 /// A point that is farther below a surface than this share of the size of everything has passed through it.
 const PIERCED: f64 = 1e-9;
 
@@ -181,7 +177,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
             (centre, places.map(|[along, aside]| [along - centre, aside]).collect())
         };
         let layout = Layout::new(scene, n).ok_or_else(|| outcome::unplaced(scene, lead))?;
-        if LOOKED_THROUGH && !T::is_double() {
+        if !T::is_double() {
             if let Some(crossed) = layout.choices().into_iter().find(|choice| choice.crossed) {
                 return Err(Refusal::Crossed(crossed));
             }
@@ -402,9 +398,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
     pub fn state(&self, way: T, moving: bool) -> Result<State<T>, Refusal> {
         let poses = self.poses(way, !moving)?;
         let at_start = way.is_zero();
-        if LOOKED_THROUGH {
-            self.fits(&poses, !moving, at_start)?;
-        }
+        self.fits(&poses, !moving, at_start)?;
         let rates = smallvec![[T::zero(); 3]; self.scene.bodies.len()];
         let leads = self.leads(&poses);
         let rows = Vec::with_capacity(self.columns);
@@ -452,9 +446,6 @@ impl<'a, T: Real> Mechanism<'a, T> {
 
     /// By how much the last speed is more than the rows before it say, where they say it.
     fn lacks(&self, rows: &[Row<T>], speeds: &[T]) -> f64 {
-        if !LOOKED_THROUGH {
-            return 0.0;
-        }
         let reduced = self.equations(rows, speeds).reduce(&[]);
         if reduced.repeats() { 0.0 } else { reduced.lacks().f64() }
     }
@@ -804,7 +795,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
     pub fn struck(&self, state: &State<T>) -> Result<Response<T>, Refusal> {
         let mut after = self.answer(state, &state.rows, &self.forces(&state.poses, true), false)?;
         if let Some((joint, e)) = self.scene.restitution {
-            if LOOKED_THROUGH && let Some(parts) = self.parts_before(state, joint) {
+            if let Some(parts) = self.parts_before(state, joint) {
                 return Err(parts);
             }
             // What the joints would give if they held, and as much again for each part that springs back.
@@ -1167,7 +1158,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
     }
     /// [`Layout::in_line`].
     pub fn in_line(&self, way: T) -> Option<Obstacle> {
-        if LOOKED_THROUGH { self.layout.in_line(way) } else { None }
+        self.layout.in_line(way)
     }
     /// [`Layout::looks_farther`].
     pub fn looks_farther(&mut self) -> bool {

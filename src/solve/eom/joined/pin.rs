@@ -8,7 +8,7 @@ use crate::solve::eom::couple_on;
 use crate::solve::eom::integrate::Event;
 use crate::solve::eom::joined::{Fine, Gain, Motion, Panel, Passes, Stop, Teller, Why};
 use crate::solve::eom::pendulum::Pendulum;
-use crate::solve::eom::planar::{LOOKED_THROUGH, Mechanism, Response, State};
+use crate::solve::eom::planar::{Mechanism, Response, State};
 use crate::solve::outcome::Refusal;
 use smallvec::SmallVec;
 
@@ -22,7 +22,7 @@ pub fn pendulum_stop<T: Real>(pendulum: &Pendulum<T>, far: T, level: Option<T>) 
     // What turns has passed nothing that slows it down.
     let mut slowest = |until: T| {
         let at = |i: u32| pendulum.half_square(until * T::of(f64::from(i) / f64::from(PEAK)));
-        let seen = (0..PEAK).filter(|_| LOOKED_THROUGH && limit.is_none());
+        let seen = (0..PEAK).filter(|_| limit.is_none());
         seen.for_each(|i| passes.see(T::leading(|| at(i).f64())));
         passes.share
     };

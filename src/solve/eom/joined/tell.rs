@@ -6,7 +6,7 @@ use crate::scene::pose::Obstacle;
 use crate::scene::{Acts, Label, Owner, Quantity, Spot, pose};
 use crate::solve::eom::couple_on;
 use crate::solve::eom::joined::{BESIDE, Fine, Gain, Motion, PUSHES, SHORT, SHORTEST, Teller, look};
-use crate::solve::eom::planar::{LOOKED_THROUGH, Response, State};
+use crate::solve::eom::planar::{Response, State};
 use crate::solve::outcome::{Course, Held, Refusal, Said};
 use smallvec::SmallVec;
 
@@ -126,9 +126,7 @@ impl<T: Real> Teller<'_, '_, T> {
             self.road.course = Some(Course::nowhere());
             return Ok(());
         };
-        if LOOKED_THROUGH {
-            self.gets_to(way)?;
-        }
+        self.gets_to(way)?;
         if let Some((_, obstacle)) = overruns(way.abs()) {
             return Err(Refusal::Beyond(obstacle));
         }
@@ -195,9 +193,6 @@ impl<T: Real> Teller<'_, '_, T> {
 
     /// Is each spring that only pushes or pulls met on this way, if it does not act from the start?
     pub fn tell_met(&mut self, meets: &[(usize, T)], way: T) -> Result<(), Refusal> {
-        if !LOOKED_THROUGH {
-            return Ok(());
-        }
         let begin = self.mechanism.poses(T::zero(), true)?;
         for s in (0..self.scene.struts.len()).filter(|s| self.scene.struts[*s].acts != Acts::Both) {
             let first =
