@@ -132,7 +132,7 @@
 //! parallel to the line of the body they leave, save a constant pull at an angle; one freedom, or several under constant
 //! forces, in phases that each last until a contact that rubs comes to rest; with springs, several freedoms only at an instant. Joined in the
 //! plane by pins, hinges, welds, guides, cords and surfaces, which may be rough: one freedom on the way, any
-//! number at an instant from rest or just after a blow; a drive at an instant alone; torsion springs within half a turn.
+//! number at an instant, with a speed told for each or from rest; a drive at an instant alone; torsion springs within half a turn.
 //! Gears and belts join wheels about fixed axles. What carries a whole scene moves along a straight line at a constant acceleration.
 //! One motion follows another without a jerk: what the ties of the second do not allow of the first's speeds is refused.
 #![cfg_attr(not(feature = "program"), allow(dead_code, reason = "a page needs less than the program"))]

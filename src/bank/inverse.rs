@@ -4,7 +4,7 @@ use crate::bank::node::{Faults, Node};
 use crate::bank::scene::DatumUse;
 use crate::bank::{Datum, labels, measure, need::Need};
 use crate::scene::admissible;
-use crate::scene::{Found, Given, Num, Scene};
+use crate::scene::{Found, Given, Label, Num, Owner, Quantity, Scene, Term};
 
 /// The one datum that was measured, where one is unknown; anything else is told.
 pub fn only<'n>(
@@ -42,6 +42,23 @@ pub fn only<'n>(
     }
 }
 
+/// Where no draw of joined bodies can be proved to have but one solution: what is followed there in steps or summed is not enclosed.
+fn unproved(scene: &Scene, label: Label) -> Option<&'static str> {
+    if scene.lead().is_none() || scene.is_still() {
+        return None;
+    }
+    let of_time = |term| matches!(term, Term::Said(of) if of.quantity == Quantity::T);
+    let formula = match label.of {
+        Owner::Asked(i) => scene.formulas.asked.get(i),
+        _ => None,
+    };
+    let timed =
+        label.quantity == Quantity::T || formula.is_some_and(|asked| asked.formula.names().any(of_time));
+    let swings = scene.pinned().is_some() && scene.couples.is_empty() && scene.struts.is_empty();
+    let rough = scene.joints.iter().any(|joint| joint.kind.rubs().is_some());
+    rough.then_some("after friction on the way").or((timed && !swings).then_some("from a time"))
+}
+
 /// Has the unknown datum of a scene found from the measurement; gives the uses of data in it.
 pub fn put(
     problem: &Node,
@@ -72,6 +89,15 @@ pub fn put(
             return Vec::new();
         }
     };
+    if let Some(why) = unproved(scene, label) {
+        let hint = "measure a speed where nothing rubs on the way, or look at an instant: `end: at once`; or give this datum and ask for what was measured";
+        faults.hint(
+            node,
+            format!("that only one value of `{}` gives `{name}` cannot be proved {why}", data[i].symbol),
+            hint,
+        );
+        return vec![DatumUse { datum: at, need: *Need::TERM }];
+    }
     let symbol = &data[i].symbol;
     let (own, wanted) = (measure::powers(&data[at].unit), measure::own_powers(scene.unit(label)));
     if own != wanted {

@@ -4,9 +4,9 @@ use crate::bank::measure;
 use crate::bank::need::Need;
 use crate::bank::node::{Faults, Fields, Node, Value, items, known_as, named, shorten, some_named};
 use crate::scene::{
-    AsIf, Body, Carrier, Coordinate, Couple, Degree, Derived, End, Formulas, GivenForce, Growth, Line, Mass,
-    Num, Part, Particle, Place, Planar, Push, Ray, RotaryInertia, Scene, Shape, Slope, Span, Start, Strut,
-    Tie,
+    AsIf, Body, Carrier, Coordinate, Couple, Degree, Derived, End, Formulas, GivenForce, Growth, Joint,
+    JointKind, Line, Mass, Num, Part, Particle, Place, Planar, Push, Ray, RotaryInertia, Scene, Shape, Slope,
+    Span, Start, Strut, Tie,
 };
 use crate::units::Unit;
 use crate::units::spell;
@@ -222,7 +222,7 @@ impl SceneReader<'_> {
         {
             planar.start_deg.get_or_insert(Num::Fixed(0.0));
         }
-        let below = self.below(&ties);
+        let below = self.below(&ties, &bodies, &joints);
         let mut scene = Scene {
             gravity_m_s2: Num::Datum(gravity),
             bodies,
@@ -265,13 +265,23 @@ impl SceneReader<'_> {
         Some(scene)
     }
 
-    /// Kinetic and static coefficients of contacts that may roll or slip, and roll here: their tie has no kinetic one.
-    fn below(&self, ties: &[Tie]) -> Vec<(Num, Num)> {
+    /// Kinetic and static coefficients of contacts that may roll or slip, and roll here: their tie has no kinetic one. Masses that are taken
+    /// away, and those from which they are.
+    fn below(&self, ties: &[Tie], bodies: &[Body], joints: &[Joint]) -> Vec<(Num, Num)> {
         let rolls = |(tie, mu_k): &(usize, Num)| match ties.get(*tie) {
             Some(Tie::Roll { mu_s: Some(mu_s), .. }) => Some((*mu_k, *mu_s)),
             _ => None,
         };
-        self.met.borrow().touches.iter().filter_map(rolls).collect()
+        let holes = joints.iter().filter_map(|joint| {
+            let JointKind::Hinge { one, other, turned_deg: Some(_) } = joint.kind else { return None };
+            let [one, other] = [one, other].map(|spot| &bodies[spot.body]);
+            let (hole, whole) = if other.removed { (other, one) } else { (one, other) };
+            match (hole.removed && !whole.removed, &hole.mass, &whole.mass) {
+                (true, Mass::Kilograms(hole), Mass::Kilograms(whole)) => Some((*hole, *whole)),
+                _ => None,
+            }
+        });
+        self.met.borrow().touches.iter().filter_map(rolls).chain(holes).collect()
     }
 
     /// Mass or weight of a body or of a part, if one of them is given.
@@ -426,7 +436,12 @@ impl SceneReader<'_> {
             fields.get("moves");
             self.inertia(inertia, &mut body);
             body.turns = inertia.iter().flatten().next().is_some();
-            body.mass = self.mass(node, mass, weight);
+            let removed = fields.get("mass removed");
+            body.removed = removed.is_some();
+            if let (Some(n), Some(_)) = (removed, mass.or(weight)) {
+                f.hint(n, format!("`{name}` has a mass, and a mass that is taken away"), "keep one of them");
+            }
+            body.mass = self.mass(node, mass.or(removed), weight);
             body.planar = Some(self.planar(&mut fields, &body, moves == planar::PLANES[1]));
             return body;
         }

@@ -284,8 +284,15 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
         !scene.joints.iter().any(holds)
     };
     let loose = scene.joints.iter().find(loose).map(|j| j.name.as_str());
+    let welded = |b: usize| {
+        let held = |j: &&Joint| j.kind.spots().any(|spot| spot.body == b);
+        let mut own = scene.joints.iter().filter(held).map(|j| j.kind);
+        let weld = |kind| matches!(kind, JointKind::Hinge { turned_deg: Some(_), .. });
+        own.next().is_some_and(weld) && own.next().is_none()
+    };
+    let cut = (0..scene.bodies.len()).find(|b| scene.bodies[*b].removed && !welded(*b));
     #[rustfmt::skip] // a table
-    let rules: [SceneRule; 17] = [
+    let rules: [SceneRule; 18] = [
         (named(|b| b.planar.is_none()), "", "`{}` does not move in the plane, and another body does",
             "write `moves: in the plane` for all of them, with joints"),
         (is(!scene.ties.is_empty()), "ties", "what moves in the plane is held by joints", "write `joints`"),
@@ -293,8 +300,8 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
             "some bodies move in a horizontal plane, others in the vertical one", "write the same `moves:` for all of them"),
         (is(!scene.growths.is_empty()), "forces", "what moves in the plane has no forces that grow",
             "remove `growing by`, or let the bodies move on lines"),
-        (is(speeds > 1), "start", "more than one speed is given at the start of joined bodies",
-            "give one speed or spin, from which the joints must give all others: what slips or turns freely beside it is not solved"),
+        (is(speeds > 1 && (scene.end != End::AtOnce || scene.driven().is_some())), "start", "more than one speed is given at the start of joined bodies",
+            "give one speed or spin, from which the joints must give all others: what slips or turns freely beside it is solved `at once` alone, with a speed for each freedom"),
         (is(arrives && (speeds > 0 || scene.carried.is_some())), "start", "a motion just before an impact stands beside another one",
             "give `arrives` alone: the joints take hold in the impact, and what moves after it follows"),
         (recoils.filter(|_| !arrives || scene.end != End::AtOnce), "joints", "`{}` has a restitution, and acts in an impact alone",
@@ -305,6 +312,8 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
             "take the impulse away"),
         (loose, "joints", "`{}` lies on a cylinder that turns with a body, and no pin holds that body at the axis of the cylinder",
             "write `outside: R, axis: [x, y], on: drum`, and for the drum `{pins: drum, at: [x, y]}` with the same numbers"),
+        (cut.map(|b| scene.bodies[b].name.as_str()), "joints", "`{}` is taken away, and is not held by one weld alone",
+            "weld it to that from which it is taken, as `hole: {welds: [disc.C, {}.A]}`; what holds that holds both"),
         (rough.filter(|_| struck), "joints", "`{}` is rough, and an impulse acts: what friction does in a blow is not known",
             "remove `mu_k`"),
         (driven.map(|b| scene.bodies[b].name.as_str()), "start", "`{}` is driven, and its motion goes on",

@@ -319,6 +319,11 @@ impl PlaneLayout {
         let this = &view.scene.bodies[body];
         let Some(planar) = &this.planar else { return };
         let Laid { origin, axis } = laid[body];
+        if this.removed && role == Role::Body {
+            // What is taken away shows the paper, with an edge.
+            self.outline(board, view, laid, body, Role::Paper);
+            return self.outline(board, view, laid, body, Role::Inner);
+        }
         // Nothing turns a disc on a smooth bearing: it is round all the same.
         let own = matches!(this.inertia, Some(RotaryInertia::Shape(shape, _)) if shape != Shape::Rod);
         if !this.turns && (!own || is_guided(view, body)) {
@@ -567,7 +572,7 @@ pub fn draw(board: &mut Board, view: &SceneView) {
         planar.and_then(|planar| round(view, b, planar)).is_some_and(|r| r * plane.scale > 2.0 * GUIDE)
     };
     let mut order: Vec<usize> = (0..view.scene.bodies.len()).collect();
-    order.sort_by_key(|b| (!hides(*b), !is_slotted(view, *b)));
+    order.sort_by_key(|b| (!hides(*b), !is_slotted(view, *b), view.scene.bodies[*b].removed));
     for b in order {
         plane.outline(board, view, &plane.start, b, Role::Body);
         rails(board, Some(b));
@@ -1380,7 +1385,11 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
     let teller = Teller { view };
     let say = |name: &str, pieces: &[(&str, &str)]| teller.say(name, pieces);
     for (b, body) in view.scene.bodies.iter().enumerate() {
-        let name = if view.scene.lies_level() { "flat_body" } else { "body" };
+        let name = match view.scene.lies_level() {
+            _ if body.removed => "removed",
+            true => "flat_body",
+            false => "body",
+        };
         out.push(say(name, &[("body", &say::named(view, body))]));
         say::couples(view, b, out);
         for (degree, num) in view.started(b) {

@@ -422,6 +422,7 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
             say(&format!("refused.freedoms.{name}"), &[("n", n)])
         }
         Refusal::Unplaced(_)
+        | Refusal::Hollow(_)
         | Refusal::IdleSide { .. }
         | Refusal::Unbridged { .. }
         | Refusal::Tilted { .. }
@@ -542,7 +543,7 @@ fn misplaced(scene: &Scene, refusal: &Refusal) -> String {
             let open = matches!(scene.planar(*index), Some(Planar { start_deg: None, .. }));
             let placed = scene.planar(*index).is_some_and(|planar| planar.origin_m.is_some());
             let turns = scene.bodies[*index].turns;
-            let name = match scene.is_still() && scene.starts_from_rest() {
+            let name = match scene.is_still() && (scene.starts_from_rest() || scene.tells_speeds()) {
                 true if placed => "placed",
                 true if open && turns => "turns",
                 true => "at_once",
@@ -559,6 +560,7 @@ fn misplaced(scene: &Scene, refusal: &Refusal) -> String {
             let rule = say(&format!("refused.unplaced.rule.{rule}"), &[]);
             say(&format!("refused.unplaced.{name}"), &[("body", &id(scene, *index)), ("rule", &rule)])
         }
+        Refusal::Hollow(body) => say("refused.hollow", &[("body", &id(scene, *body))]),
         Refusal::IdleSide { body, with: None } => say("refused.idle_side", &[("body", &id(scene, *body))]),
         Refusal::IdleSide { body, with: Some(with) } => {
             say("refused.other_side", &[("body", &id(scene, *body)), ("with", &id(scene, *with))])

@@ -12,6 +12,8 @@ pub struct Equations<T: Real> {
     decimal: bool,
     /// For each row: sum of the magnitudes of the terms of its right-hand side, where it was told.
     sizes: SmallVec<[Option<f64>; 8]>,
+    /// Pairs of rows that have the same coefficients in these columns. See [`Equations::alike`].
+    alike: Vec<(usize, usize, [usize; 4])>,
 }
 
 /// Equations in reduced form.
@@ -31,7 +33,14 @@ impl<T: Real> Equations<T> {
     }
     /// The same with so many right-hand sides.
     pub fn with_rights(cols: usize, rights: usize) -> Self {
-        Self { cols, rights, decimal: false, cells: SmallVec::new(), sizes: SmallVec::new() }
+        Self {
+            cols,
+            rights,
+            decimal: false,
+            cells: SmallVec::new(),
+            sizes: SmallVec::new(),
+            alike: Vec::new(),
+        }
     }
     /// The same of coefficients that are made of few printed decimals, such as radii: a difference of two of their products is
     /// exactly 0, or far above the rounding of their doubles. Within that it is taken as the 0 that it is, in enclosures too.
@@ -52,6 +61,12 @@ impl<T: Real> Equations<T> {
         &mut self.cells[row * width..(row + 1) * width]
     }
 
+    /// Tells that two rows have the very same numbers in these columns, such as the normal of two parallel guides: their difference has
+    /// exactly 0 there, which enclosures of the numbers cannot tell.
+    pub fn alike(&mut self, row: usize, other: usize, columns: [usize; 4]) {
+        self.alike.push((row, other, columns));
+    }
+
     /// Tells the sum of the magnitudes of the terms that made the right-hand side of the last row. Of two equations for one
     /// unknown the one is then taken whose terms leave it the smaller error: a small difference of large terms waits.
     pub fn sized(&mut self, size: f64) {
@@ -67,8 +82,18 @@ impl<T: Real> Equations<T> {
         let mut pivot: SmallVec<[Option<usize>; 8]> = smallvec![None; cols];
         let mut used: SmallVec<[bool; 8]> = smallvec![false; rows];
         let mut base: SmallVec<[T; 9]> = SmallVec::new();
-        // Whether a right-hand side is nothing decides nothing: what an enclosure leaves open is reckoned with.
-        let nothing = |k: usize, v: T| if T::ENCLOSES && k >= cols { v.same(T::zero()) } else { v.is_zero() };
+        if T::ENCLOSES {
+            for (row, other, columns) in &self.alike {
+                for k in 0..width {
+                    let less = self.cells[row * width + k];
+                    let cell = &mut self.cells[other * width + k];
+                    *cell = if columns.contains(&k) { T::zero() } else { *cell - less };
+                }
+            }
+        }
+        // What an enclosure leaves open is reckoned with: it decides nothing, save as the last pivot that is left.
+        let nothing = |v: T| if T::ENCLOSES { v.is_nothing() } else { v.is_zero() };
+        let sure = |v: &T| !T::ENCLOSES || v.radius() < v.size();
         for allowed in (0..=free.len()).rev() {
             let kept = &free[..allowed];
             loop {
@@ -81,16 +106,16 @@ impl<T: Real> Equations<T> {
                     let mut lead: Option<(usize, f64, f64)> = None;
                     let mut length = 0;
                     for (j, v) in row.iter().enumerate() {
-                        if pivot[j].is_some() || v.is_zero() {
+                        if pivot[j].is_some() || nothing(*v) {
                             continue;
                         }
                         length += 1;
                         if kept.contains(&j) {
                             continue;
                         }
-                        let share = v.size() / size;
-                        if lead.is_none_or(|(_, s, _)| share > s) {
-                            lead = Some((j, share, v.size()));
+                        let own = if sure(v) { v.size() } else { 0.0 };
+                        if lead.is_none_or(|(_, s, _)| own / size > s) {
+                            lead = Some((j, own / size, own));
                         }
                     }
                     if let Some((j, share, coefficient)) = lead {
@@ -102,12 +127,16 @@ impl<T: Real> Equations<T> {
                 }
                 let Some((i, j, ..)) = best else { break };
                 used[i] = true;
-                pivot[j] = Some(i);
                 let row = &mut self.cells[i * width..(i + 1) * width];
                 let lead = row[j];
+                // Whether what is left of a row says anything may be open: that is a doubt.
+                if T::ENCLOSES && lead.is_zero() {
+                    continue;
+                }
+                pivot[j] = Some(i);
                 row[j] = T::of(1.0);
                 for (k, v) in row.iter_mut().enumerate() {
-                    if k != j && !nothing(k, *v) {
+                    if k != j && !nothing(*v) {
                         *v = *v / lead;
                     }
                 }
@@ -117,7 +146,7 @@ impl<T: Real> Equations<T> {
                 self.sizes[i] = error;
                 for (k, row) in self.cells.chunks_exact_mut(width).enumerate() {
                     let f = row[j];
-                    if k == i || f.is_zero() {
+                    if k == i || nothing(f) {
                         continue;
                     }
                     row[j] = T::zero();
@@ -125,7 +154,7 @@ impl<T: Real> Equations<T> {
                         self.sizes[k] = Some(own + f.size() * error);
                     }
                     for (k, (v, b)) in row.iter_mut().zip(&base).enumerate() {
-                        if k == j || nothing(k, *b) {
+                        if k == j || nothing(*b) {
                             continue;
                         }
                         *v = if self.decimal && k < cols {
@@ -185,6 +214,10 @@ impl<T: Real> Reduced<T> {
     /// Do the equations that say nothing of their own say what the others say?
     pub fn repeats(&self) -> bool {
         (0..self.equations.sizes.len()).all(|i| self.pivot.contains(&Some(i)) || self.right(i).is_zero())
+    }
+    /// What the right-hand side of the last equation is more than the others say, where it says nothing of its own.
+    pub fn lacks(&self) -> T {
+        self.right(self.equations.sizes.len() - 1)
     }
     /// The solution for the right-hand sides, if no unknown is open.
     pub fn solution(&self) -> Option<SmallVec<[T; 4]>> {

@@ -439,6 +439,16 @@ impl Scene {
             let on_it = |c: &Cord| c.made == Made::Rests && matches!(c.to, Far::Body(end) if end.body == b);
             self.ties.iter().any(|t| matches!(t, Tie::Cord(c) if on_it(c)))
         };
+        // What is taken away has nothing of its own, and nothing holds it.
+        let removed = |b: usize| self.bodies[b].removed;
+        if match label.of {
+            Owner::Body(b) => removed(b),
+            Owner::Spot(spot) => removed(spot.body),
+            Owner::Joint(j) => self.joints[j].kind.spots().any(|spot| removed(spot.body)),
+            _ => false,
+        } {
+            return false;
+        }
         // How a load is shared by what bears it is not known.
         if let (Q::Normal | Q::MuRequired, Owner::Body(b)) = (label.quantity, label.of)
             && (bears(b) || self.hangs_by_teeth(b))

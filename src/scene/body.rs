@@ -17,6 +17,8 @@ pub struct Body {
     pub line: Option<Line>,
     /// Does it turn?
     pub turns: bool,
+    /// Is it taken away from what it is welded to, as a hole is? Its mass and its moment of inertia then count negative.
+    pub removed: bool,
     /// Particles rigidly joined; not empty only for a lamina whose kinetic energy is asked.
     pub particles: Vec<Particle>,
     /// Moves in the plane as joints let it; `None` for every other body.

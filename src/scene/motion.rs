@@ -152,6 +152,10 @@ impl Scene {
             Start::Lamina { .. } => None,
         })
     }
+    /// Are speeds of several freedoms told of joined bodies of which only an instant is asked? Then nothing has to be integrated.
+    pub fn tells_speeds(&self) -> bool {
+        self.end == End::AtOnce && self.lead().is_some() && self.start_speeds().count() > 1
+    }
     /// The body that is thrown with slip and alone, up to the start of rolling, or for a time or an instant: it slips, and its speed and
     /// its spin at the start are both given.
     pub fn thrown(&self) -> Option<Thrown> {

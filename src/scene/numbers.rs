@@ -106,6 +106,7 @@ impl<'a, T: Real> Numbers<'a, T> {
         for b in &scene.bodies {
             let mass = n.mass_of(b, &b.mass);
             let inertia = n.inertia_of(b, mass);
+            let (mass, inertia) = if b.removed { (-mass, -inertia) } else { (mass, inertia) };
             let slope = b.line.map(|l| l.slope);
             let (sine, cosine) = direction(&n, slope);
             let up = b.line.is_some_and(|l| l.forward_up);

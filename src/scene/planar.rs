@@ -427,6 +427,13 @@ impl Scene {
         let planar = body.planar.as_ref().filter(|p| p.pinned && p.driven.is_none());
         planar.filter(|_| swings).map(|planar| (0, planar))
     }
+    /// The joint along whose straight line the speed of a body is told where others are told besides, and the point that it holds.
+    pub fn guide_of(&self, body: usize) -> Option<(usize, Spot)> {
+        self.joints.iter().enumerate().find_map(|(j, joint)| {
+            let (at, _, surface) = joint.kind.surface()?;
+            (at.body == body && matches!(surface, Surface::Line(_))).then_some((j, at))
+        })
+    }
     /// The point at the only pin of bodies that are welded into one.
     pub fn only_pin(&self) -> Option<Spot> {
         let particle = |spot: &Spot| self.bodies[spot.body].inertia.is_none();

@@ -941,6 +941,16 @@ impl<'a, T: Real> Layout<'a, T> {
             None => fixed(unit),
         }
     }
+    /// The direction in which a speed along the line of a joint is told: as written on a body that carries it, else up, or to the right.
+    pub fn told_along(&self, joint: usize, poses: &Poses<T>) -> [T; 2] {
+        let (line, kind) = (self.line(joint, poses), &self.scene.joints[joint].kind);
+        let forth = match kind {
+            JointKind::Guide { reversed: true, .. } if kind.carrier().is_some() => -1.0,
+            _ if kind.carrier().is_some() => 1.0,
+            _ => upward(line),
+        };
+        line.map(|x| x.signed(forth))
+    }
     /// How a body touches the surface of a joint with its centre at this place; `line` is the direction of a straight one.
     pub fn touch(&self, joint: usize, centre: [T; 2], line: [T; 2]) -> Option<Touch<T>> {
         let kind = &self.scene.joints[joint].kind;
@@ -984,8 +994,8 @@ impl<'a, T: Real> Layout<'a, T> {
     /// The places at the start of what the joints could place in two ways, where the bank does not say in which.
     pub fn choices(&self) -> Vec<Choice> {
         // What cords and light rods guide lies as it does at the start.
-        let still =
-            self.scene.is_still() && self.scene.start_speeds().next().is_none() || self.first.is_some();
+        let rests = self.scene.start_speeds().next().is_none() || self.scene.tells_speeds();
+        let still = self.scene.is_still() && rests || self.first.is_some();
         let Some(steps) = self.plan(still) else { return Vec::new() };
         let Some(poses) = self.poses::<T>(T::zero(), still) else { return Vec::new() };
         let all = steps.iter().filter_map(|(body, step)| {

@@ -304,6 +304,12 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Reads the scene.
     pub fn new(draft: &'d mut Draft<'a>) -> Result<Self, DerivationStop> {
         let Some(lead) = draft.scene.lead() else { return unfound() };
+        if draft.scene.bodies.iter().any(|body| body.removed) {
+            return Err(Beyond::Removed.into());
+        }
+        if draft.scene.tells_speeds() {
+            return Err(Beyond::Speeds.into());
+        }
         let still = draft.scene.is_still();
         let rests = still && draft.scene.start_speeds().next().is_none();
         let in_place = draft.scene.spins_in_place();

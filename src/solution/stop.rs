@@ -55,6 +55,10 @@ pub enum Beyond {
     GrowingForce,
     /// A mechanism that is not placed, or not looked through.
     Mechanism,
+    /// A part that is taken away.
+    Removed,
+    /// An instant of several freedoms that have speeds.
+    Speeds,
     /// What a motion that follows takes over.
     Next,
     /// A motion in phases, in which contacts come to rest one after the other.
@@ -82,6 +86,8 @@ impl Beyond {
         let (what, quantity) = match self {
             Self::GrowingForce => ("growing_force", None),
             Self::Mechanism => ("mechanism", None),
+            Self::Removed => ("removed", None),
+            Self::Speeds => ("speeds", None),
             Self::Next => ("next", None),
             Self::Phases => ("phases", None),
             Self::Slack => ("slack", None),
@@ -106,6 +112,8 @@ mod tests {
             let alone = [
                 Beyond::GrowingForce,
                 Beyond::Mechanism,
+                Beyond::Removed,
+                Beyond::Speeds,
                 Beyond::Next,
                 Beyond::Phases,
                 Beyond::Slack,

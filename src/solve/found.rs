@@ -12,9 +12,10 @@ use crate::solve::outcome::{Refusal, Road, Said, Scope};
 const PLACES: u32 = 16;
 /// Halvings of a place of the range at whose one end there is nothing to measure.
 const HALVINGS: u32 = 50;
-/// Relative step of the last correction, in doubles and in 32 digits: the slope is good to half of the digits in doubles; in 32 the
-/// correction, of some 2^-53, is still good to 2^-78 where the solution bends within 2^-25 of the root, as just above a least speed.
-const STEPS: [f64; 2] = [pow2(-26), pow2(-44)];
+/// Relative step of the last correction, in doubles and in 32 digits: the slope is good to half of the digits in doubles; in 32 to as
+/// many as the correction of some 2^-53 needs, and the step is hardly longer than that: the less the solution bends over it, as it does
+/// just above a least speed.
+const STEPS: [f64; 2] = [pow2(-26), pow2(-50)];
 /// The last correction may not be larger than this: beyond it what is linear over a step no longer tells the root.
 const NEAR: f64 = pow2(-34);
 /// Half-widths that are tried about the root, as powers of 2 of its size.
@@ -37,8 +38,8 @@ impl<T: Real> Forward<'_, T> {
     /// What was measured, with all data given: of an expression that is everything.
     fn measured<X: Real>(&self, found: &Found, data: &[f64], finds: Finds<X>) -> Result<Road<X>, Refusal> {
         match found.label.quantity {
-            Quantity::Value => answered(self.scene, data, Scope::ALL, finds),
-            quantity => alone(self.scene, data, Scope::only([quantity]), finds),
+            Quantity::Value => answered(self.scene, data, Scope::ALL.granting(), finds),
+            quantity => alone(self.scene, data, Scope::only([quantity]).granting(), finds),
         }
     }
     /// All that is asked.
@@ -75,7 +76,7 @@ fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope, finds: Finds<T>) ->
 
 /// [`road_of`] with all data given.
 fn answered<T: Real>(scene: &Scene, data: &[f64], asked: Scope, finds: Finds<T>) -> Result<Road<T>, Refusal> {
-    let asked = if scene.formulas.asked.is_empty() { asked } else { Scope::ALL };
+    let asked = if scene.formulas.asked.is_empty() { asked } else { asked.with(Scope::ALL) };
     answering(alone(scene, data, asked, finds)?, scene, data, finds)
 }
 

@@ -360,6 +360,8 @@ pub enum Refusal {
         /// The other one, if there is one.
         with: Option<usize>,
     },
+    /// More is taken away from this body than there is of it.
+    Hollow(usize),
     /// A body does not bridge what holds it.
     Unbridged {
         /// Which, and how far.
@@ -578,7 +580,7 @@ pub fn sides<T: Real>(
 
 /// Joints that leave several freedoms place no body on the way; else no way is known to place this one.
 pub fn unplaced(scene: &Scene, body: usize) -> Refusal {
-    if scene.is_still() && scene.starts_from_rest() {
+    if scene.is_still() && (scene.starts_from_rest() || scene.tells_speeds()) {
         return Refusal::Unplaced(body);
     }
     let free: usize = scene.bodies.iter().map(|b| if b.turns { 3 } else { 2 }).sum();
@@ -767,20 +769,31 @@ pub struct Scope {
     pub quantities: Quantities,
     /// Contacts and cords over the motion, for judging whether the ties hold?
     pub held: bool,
+    /// Is it taken for granted that it sets off and gets to its end, where an enclosure leaves that open? What is told is then true if
+    /// it does.
+    pub granted: bool,
 }
 
 impl Scope {
     /// All that it can say.
-    pub const ALL: Self = Self { quantities: Quantities::ALL, held: true };
+    pub const ALL: Self = Self { quantities: Quantities::ALL, held: true, granted: false };
     /// These quantities alone.
     pub fn only(quantities: impl IntoIterator<Item = Quantity>) -> Self {
-        Self { quantities: quantities.into_iter().collect(), held: false }
+        Self { quantities: quantities.into_iter().collect(), held: false, granted: false }
     }
     /// All but the time: of joined bodies it is a quadrature of its own, and no other answer hangs on it.
-    pub const TIMELESS: Self = Self { quantities: Quantities::ALL.without(Quantity::T), held: true };
+    pub const TIMELESS: Self = Self { quantities: Quantities::ALL.without(Quantity::T), ..Self::ALL };
+    /// The same, taking for granted that it sets off and gets there.
+    pub const fn granting(self) -> Self {
+        Self { granted: true, ..self }
+    }
     /// What is asked by either.
     pub const fn with(self, other: Self) -> Self {
-        Self { quantities: self.quantities.with(other.quantities), held: self.held || other.held }
+        Self {
+            quantities: self.quantities.with(other.quantities),
+            held: self.held || other.held,
+            granted: self.granted || other.granted,
+        }
     }
     /// Is one of these quantities asked?
     pub fn any(self, quantities: &[Quantity]) -> bool {

@@ -279,7 +279,11 @@ fn every_composed_impact_has_a_true_solution() {
 #[test]
 fn every_composed_mechanism_has_a_true_solution() {
     let seeds = 4 * support::seeds(250).max(25);
-    let machine = |seed| joined_lot::machine(seed).map(|(machine, _)| joined_lot::yaml(&machine));
+    // An instant at which several freedoms have speeds has a short page.
+    let machine = |seed| {
+        let (machine, _) = joined_lot::machine(seed)?;
+        machine.spins.is_empty().then(|| joined_lot::yaml(&machine))
+    };
     let (count, short, wrong) = worked(seeds, machine);
     assert!(wrong.is_empty(), "{wrong:#?}");
     // What is left are springs beside a torsion spring on a pinned body, and rods that hold a wheel which rubs, or brake it.

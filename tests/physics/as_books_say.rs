@@ -324,3 +324,101 @@ problems:
         1e-13,
     );
 }
+
+/// A hole counts negative: the whole about the pin less the hole about it, by the theorem of parallel axes, and the moment of the weights
+/// likewise.
+#[test]
+fn a_disc_with_a_hole_that_swings() {
+    let (m, r, a, c, g) = (6.0_f64, 0.3_f64, 0.08_f64, 0.12_f64, 9.81_f64);
+    let hole = m * a * a / (r * r);
+    let about_pin = 1.5 * m * r * r - hole * (a * a / 2.0 + (r + c) * (r + c));
+    let moment = g * (m * r - hole * (r + c));
+    let left = m - hole;
+    let depth = moment / g / left;
+    let scene = |removed: &str, end: &str| {
+        format!(
+            "
+bodies:
+  disc: {{mass: 6 kg, shape: {{disc: 0.3 m}}, moves: in the plane, angle: from hanging, mass centre: 0.3 m, points: {{A: 0 m, H: 0.42 m}}}}
+  hole: {{{removed}: {hole} kg, shape: {{disc: 0.08 m}}, moves: in the plane}}
+joints: {{O: {{pins: disc.A}}, cut: {{welds: [disc.H, hole.A]}}}}
+start: {{disc: {{angle: 90 deg}}}}
+end: {end}
+"
+        )
+    };
+    let period = 2.0 * std::f64::consts::PI * (about_pin / moment).sqrt();
+    let found = told(&scene("mass removed", "equilibrium"), &["I_O", "I_G", "y_G", "disc.period_small"]);
+    all_near(&found, &[about_pin, about_pin - left * depth * depth, -depth, period], 1e-12);
+    // Down to hanging: energy, and the force of the pin on what is left.
+    let found = told(
+        &scene("mass removed", "{angle: {of: disc, reaches: 0 deg}}"),
+        &["disc.omega", "O.pin_y", "kinetic_energy"],
+    );
+    let omega = (2.0 * moment / about_pin).sqrt();
+    all_near(&found, &[omega, left * (g + omega * omega * depth), moment], 1e-12);
+    // The same mass welded on is another body.
+    let welded = told(&scene("mass", "equilibrium"), &["I_O"]);
+    all_near(&welded, &[about_pin + 2.0 * (1.5 * m * r * r - about_pin)], 1e-12);
+}
+
+/// Set down with its hole to the right: about the place where it touches, the weight that lacks there turns it to the left.
+#[test]
+fn a_disc_with_a_hole_sets_off_on_a_floor() {
+    let scene = "
+bodies:
+  disc: {mass: 6 kg, shape: {disc: 0.3 m}, moves: in the plane, angle: from right, placed: [0 m, 0.3 m], points: {C: 0 m, H: 0.15 m}}
+  hole: {mass removed: 0.375 kg, shape: {disc: 0.075 m}, moves: in the plane}
+joints: {floor: {rolls: disc.C, radius: 0.3 m, along: horizontal}, cut: {welds: [disc.H, hole.A]}}
+start: {disc: {angle: 0 deg}}
+end: at once
+";
+    let hole = 0.375 * (0.075 * 0.075 / 2.0 + 0.15 * 0.15 + 0.3 * 0.3);
+    let alpha = 0.375 * 9.81 * 0.15 / (1.5 * 6.0 * 0.09 - hole);
+    let found = told(scene, &["disc.alpha", "disc.a_x", "floor.normal"]);
+    // The mass centre of what is left lies to the left of the centre, which does not rise.
+    all_near(&found, &[alpha, -0.3 * alpha, 5.625 * 9.81 - 0.375 * 0.15 * alpha], 1e-12);
+}
+
+/// Two holes in a plate, one of them square, each by its own moment of inertia; and what cannot be taken away.
+#[test]
+fn a_plate_with_two_holes_at_an_instant() {
+    let scene = |first: &str| {
+        format!(
+            "
+bodies:
+  plate: {{mass: 8 kg, moment of inertia: 0.6 kg*m^2, moves: in the plane, angle: from right, mass centre: 0 m, points: {{P: [-0.3 m, 0.2 m], U: [0.2 m, 0.1 m], V: [-0.1 m, -0.15 m]}}}}
+  round: {{mass removed: {first}, shape: {{disc: 0.05 m}}, moves: in the plane}}
+  square: {{mass removed: 0.4 kg, moment of inertia: 0.001 kg*m^2, moves: in the plane}}
+joints:
+  O: {{pins: plate.P}}
+  u: {{welds: [plate.U, round.A]}}
+  v: {{welds: [plate.V, square.A], turned: 30 deg}}
+start: {{plate: {{angle: 0 deg}}}}
+end: at once
+"
+        )
+    };
+    let holes = 0.3 * (0.05 * 0.05 / 2.0 + 0.5 * 0.5 + 0.1 * 0.1) + 0.001 + 0.4 * (0.2 * 0.2 + 0.35 * 0.35);
+    let about_pin = 0.6 + 8.0 * (0.09 + 0.04) - holes;
+    let moment = 8.0 * 0.3 - 0.3 * 0.5 - 0.4 * 0.2;
+    let found = told(&scene("0.3 kg"), &["I_O", "plate.alpha"]);
+    all_near(&found, &[about_pin, -moment * 9.81 / about_pin], 1e-12);
+    let heavy = format!(
+        "{:?}",
+        read(&scene("9 kg")).map(|bank| {
+            let case = &bank.problems[0].cases[0];
+            slipstick::solve::agree::solve(&case.scene, &[9.81])
+        })
+    );
+    assert!(heavy.contains("Inadmissible"), "{heavy}");
+    let wide = read(&scene("7 kg"))
+        .map(|bank| slipstick::solve::agree::solve(&bank.problems[0].cases[0].scene, &[9.81]));
+    assert_eq!(wide.unwrap().unwrap_err(), slipstick::solve::outcome::Refusal::Hollow(0));
+    let loose = scene("0.3 kg").replace("  u: {welds: [plate.U, round.A]}\n", "");
+    let told = format!("{:?}", read(&loose).map(|_| ()));
+    assert!(told.contains("`round` is taken away, and is not held by one weld alone"), "{told}");
+    let both = scene("0.3 kg, mass: 0.3 kg");
+    let told = format!("{:?}", read(&both).map(|_| ()));
+    assert!(told.contains("`round` has a mass, and a mass that is taken away"), "{told}");
+}

@@ -118,6 +118,8 @@ pub struct Machine {
     pub lead: usize,
     /// Rate of the angle that leads, as it counts.
     pub spin: f64,
+    /// Spins of other bodies that are told, each as it counts: with that of the leading one for every freedom.
+    pub spins: Vec<(usize, f64)>,
     /// Of the leading body, as it counts, degrees.
     pub angle: f64,
     pub end: Ending,
@@ -348,6 +350,7 @@ pub fn machine(seed: u64) -> Option<(Machine, Lot)> {
         start: Vec::new(),
         lead: 0,
         spin: 0.0,
+        spins: Vec::new(),
         angle: grid(l, -180.0, 180.0, 0),
         end: Ending::AtOnce,
         alpha: None,
@@ -712,7 +715,8 @@ fn on_links(m: &mut Machine, l: &mut Lot) -> Option<bool> {
     Some(false)
 }
 
-/// Let go at an instant: one to three bodies on cords, pins and hinges, with whatever freedoms that leaves.
+/// Let go at an instant: one to three bodies on cords, pins and hinges, with whatever freedoms that leaves. What hangs on a pin may turn,
+/// each body on its own.
 fn let_go(m: &mut Machine, l: &mut Lot) -> bool {
     m.kind = "let go";
     let reach = grid(l, 0.3, 2.0, 2);
@@ -730,6 +734,10 @@ fn let_go(m: &mut Machine, l: &mut Lot) -> bool {
         }
         _ => {}
     }
+    let turns = hung == 0 && l.in_100(60);
+    if turns {
+        m.spin = spinning(l);
+    }
     for i in 1..1 + l.below(3) {
         let reach = grid(l, 0.3, 1.5, 2);
         bar(m, l, reach, true, "");
@@ -741,9 +749,22 @@ fn let_go(m: &mut Machine, l: &mut Lot) -> bool {
         m.put(i, on(0.0), hinge, axis);
         m.hold(l, Hold::Hinge((i - 1, last), (i, on(0.0))));
         let angle = m.number(l, angle, 0, "deg");
-        m.start_text.push(format!("{}: {{angle: {angle}}}", Machine::names(i)));
+        let mut told = format!("angle: {angle}");
+        if turns {
+            let spin = spinning(l);
+            m.spins.push((i, spin));
+            let spin = m.number(l, spin, 1, "rad/s");
+            let _ = write!(told, ", spin: {spin}");
+        }
+        m.start_text.push(format!("{}: {{{told}}}", Machine::names(i)));
     }
     true
+}
+
+/// A spin that is not 0.
+fn spinning(l: &mut Lot) -> f64 {
+    let spin = grid(l, 0.1, 6.0, 1);
+    if l.in_100(50) { -spin } else { spin }
 }
 
 /// Another body on a point of what is there, and there to stay.

@@ -289,6 +289,12 @@ impl<'m> Judge<'m> {
         let mut conditions = self.conditions(q, &vec![0.0; self.n], &none);
         let row = self.lead_row(q);
         conditions.push(Condition { right: rate, force: row.clone(), row });
+        for (b, spin) in &self.m.spins {
+            let mut row = vec![0.0; self.n];
+            row[3 * b + 2] = 1.0;
+            let right = spin * self.m.bodies[*b].sense;
+            conditions.push(Condition { right, force: row.clone(), row });
+        }
         Some(self.balance(&vec![0.0; self.n], &conditions)?.0)
     }
     /// Velocities just after the blows, and the impulses of the conditions.

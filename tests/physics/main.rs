@@ -37,6 +37,7 @@ mod links;
 mod meshes;
 mod moving_lines;
 mod next;
+mod past_limits;
 mod phases;
 mod pinned_bits;
 mod pinned_draws;

@@ -443,3 +443,207 @@ fn a_block_that_is_drawn_along_on_a_rough_floor() {
     assert!((value("B.a_x") - 0.544).abs() < 5e-4, "{}", value("B.a_x"));
     assert!((value("limit") - 114.0).abs() < 0.5, "{}", value("limit"));
 }
+
+/// Polar coordinates: `r'' = r w^2 - g sin phi` of a bead on a smooth arm that turns freely, `(I + m r^2) alpha = M` of the weights less
+/// `2 m r r' w`, and the arm pushes it with `m (r alpha + 2 r' w + g cos phi)`. Its speed along the arm is told beside the spin.
+#[test]
+fn a_bead_that_slides_on_an_arm_that_turns_freely() {
+    let (m, big, length, r) = (2.0, 3.0, 1.0, 0.6);
+    for (degrees, spin, along, reversed) in
+        [(0.0, 4.0, 1.5, false), (35.0, -3.0, 2.0, false), (200.0, 5.0, -0.7, true), (90.0, 0.0, 1.0, false)]
+    {
+        let phi = f64::to_radians(degrees);
+        let (s, c) = (libm::sin(phi), libm::cos(phi));
+        let bodies = format!(
+            "        arm: {{mass: 3 kg, shape: {{rod: 1 m}}, moves: in the plane, angle: from right}}
+        bead: {{mass: 2 kg, moves: in the plane, placed: [{:.17} m, {:.17} m]}}",
+            r * c,
+            r * s
+        );
+        let line = if reversed { ", along: 180 deg" } else { "" };
+        let outward = if reversed { -along } else { along };
+        let joints = format!("        O: {{pins: arm.A}}\n        wire: {{guides: bead, on: arm.A{line}}}");
+        let more = format!(
+            "      start: {{arm: {{angle: {degrees} deg, spin: {spin} rad/s}}, bead: {{speed: {along} m/s}}}}"
+        );
+        let names = ["arm.alpha", "bead.a_x", "bead.a_y", "bead.v_x", "bead.v_y"];
+        let found = told(&bodies, &joints, &more, names);
+        let weights = -(big * length / 2.0 + m * r) * G * c;
+        let alpha = (weights - 2.0 * m * r * outward * spin) / (big * length * length / 3.0 + m * r * r);
+        let across = r * alpha + 2.0 * outward * spin;
+        // Outward nothing holds it: r'' - r w^2 is what the weight has along the arm.
+        let freely = -G * s;
+        let by_hand = [
+            alpha,
+            freely * c - across * s,
+            freely * s + across * c,
+            outward * c - r * spin * s,
+            outward * s + r * spin * c,
+        ];
+        near(found, by_hand);
+    }
+}
+
+/// Lagrange's equations of two rods that hang on one another, each with a spin of its own.
+#[test]
+fn a_double_pendulum_with_two_spins() {
+    let (big, m, length, b) = (3.0, 2.0, 1.2, 0.7);
+    for (one, other, w, u) in [(30.0, -20.0, 2.5, -1.5), (-70.0, 140.0, -3.0, 4.0), (10.0, 10.0, 0.0, 2.0)] {
+        let bodies =
+            "        one: {mass: 3 kg, shape: {rod: 1.2 m}, moves: in the plane, angle: from hanging}
+        two: {mass: 2 kg, shape: {rod: 0.7 m}, moves: in the plane, angle: from hanging}";
+        let joints = "        O: {pins: one.A}\n        H: {hinges: [one.B, two.A]}";
+        let more = format!(
+            "      start: {{one: {{angle: {one} deg, spin: {w} rad/s}}, two: {{angle: {other} deg, spin: {u} rad/s}}}}"
+        );
+        let found = told(bodies, joints, &more, ["one.alpha", "two.alpha", "kinetic_energy"]);
+        let (t, p) = (f64::to_radians(one), f64::to_radians(other));
+        let (c, s) = (libm::cos(t - p), libm::sin(t - p));
+        let (own, mixed, last) =
+            (big * length * length / 3.0 + m * length * length, m * length * b / 2.0, m * b * b / 3.0);
+        let right = [
+            -mixed * s * u * u - (big / 2.0 + m) * G * length * libm::sin(t),
+            mixed * s * w * w - m * G * b / 2.0 * libm::sin(p),
+        ];
+        let det = own * last - mixed * mixed * c * c;
+        let energy = own * w * w / 2.0 + mixed * c * w * u + last * u * u / 2.0;
+        near(
+            found,
+            [
+                (right[0] * last - right[1] * mixed * c) / det,
+                (own * right[1] - mixed * c * right[0]) / det,
+                energy,
+            ],
+        );
+    }
+}
+
+/// A bar hangs on a trolley that rolls already: `(M + m) a + m l (alpha cos - w^2 sin) = 0`, `I alpha + m l (a cos + g sin) = 0`.
+#[test]
+fn a_bar_on_a_trolley_that_both_move() {
+    let bodies = "        trolley: {mass: 4 kg, moves: in the plane, placed: [0 m, 0 m]}
+        bar: {mass: 3 kg, shape: {rod: 1 m}, moves: in the plane, angle: from hanging}";
+    let joints =
+        "        rail: {guides: trolley, along: horizontal}\n        H: {hinges: [trolley.A, bar.A]}";
+    let start = |speed: f64, spin: f64| {
+        format!(
+            "      start: {{trolley: {{speed: {speed} m/s}}, bar: {{angle: 40 deg, spin: {spin} rad/s}}}}"
+        )
+    };
+    let t = f64::to_radians(40.0);
+    let (s, c, l) = (libm::sin(t), libm::cos(t), 0.5);
+    for (speed, spin) in [(2.0, 3.0), (-1.0, -2.5), (3.0, 0.0)] {
+        let found = told(bodies, joints, &start(speed, spin), ["trolley.a_x", "bar.alpha", "bar.v_x"]);
+        let (own, mixed, right) = (7.0, 3.0 * l * c, [3.0 * l * spin * spin * s, -3.0 * G * l * s]);
+        let det = own - mixed * mixed;
+        let a = (right[0] - mixed * right[1]) / det;
+        near(found, [a, own * right[1] / det - mixed * right[0] / det, speed + l * spin * c]);
+    }
+    // What has no speed is told so; else its freedom is open.
+    let open = read(bodies, joints, "      start: {bar: {angle: 40 deg, spin: 3 rad/s}}").expect("a bank");
+    let refused = agree::solve(&open.problems[0].cases[0].scene, &[G]);
+    assert_eq!(refused.unwrap_err(), Refusal::Freedoms(2));
+    let going =
+        read(bodies, joints, &format!("{}\n      end: {{time: {{of: bar, is: 1 s}}}}", start(2.0, 3.0)));
+    let told = going.expect_err("a motion of two freedoms").join(" | ");
+    assert!(
+        told.contains("where they leave several freedoms, give one for each and write `end: at once`"),
+        "{told}"
+    );
+}
+
+/// Straight lines have no curvature: a cylinder that rolls on a moving plank accelerates as from rest, whatever its speed on it.
+#[test]
+fn a_cylinder_that_rolls_on_a_moving_plank() {
+    let bodies = format!(
+        "{PLANK}\n        cylinder: {{mass: 6 kg, shape: {{cylinder: 0.2 m}}, moves: in the plane, placed: [0 m, 0.2 m]}}"
+    );
+    let joints = "        floor: {guides: plank, along: horizontal, pushes: up}
+        top: {rolls: cylinder, radius: 0.2 m, on: plank}";
+    let more = "      forces: [force: {on: plank, magnitude: 60 N, direction: right}]
+      start: {plank: {speed: 1.5 m/s}, cylinder: {angle: 0 deg, speed: 0.8 m/s}}";
+    let names = ["plank.a_x", "cylinder.a_x", "cylinder.alpha", "cylinder.v_x", "cylinder.omega"];
+    let a = 60.0 / (10.0 + 6.0 / 3.0);
+    near(told(&bodies, joints, more, names), [a, a / 3.0, a / 1.5 / 0.2, 1.5 + 0.8, 0.8 / 0.2]);
+}
+
+/// Two speeds of one freedom: they must agree.
+#[test]
+fn a_speed_that_the_joints_contradict_is_refused() {
+    let bodies = "        one: {mass: 3 kg, shape: {rod: 1 m}, moves: in the plane, angle: from hanging}
+        two: {mass: 2 kg, shape: {rod: 1 m}, moves: in the plane}";
+    let joints = "        O: {pins: one.A}\n        W: {welds: [one.B, two.A], turned: 90 deg}";
+    let start = |spin: &str| {
+        format!("      start: {{one: {{angle: 30 deg, spin: 2 rad/s}}, two: {{spin: {spin} rad/s}}}}")
+    };
+    near(told(bodies, joints, &start("2"), ["two.omega"]), [2.0]);
+    let bank = read(bodies, joints, &start("3")).expect("a bank");
+    match agree::solve(&bank.problems[0].cases[0].scene, &[G]) {
+        Err(Refusal::Contradiction { given, follows, .. }) => near([given, follows], [3.0, 2.0]),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// In a bowl of radius 0.9 m rolls a disc, and on its centre hangs a bar: a double pendulum, the first arm of which is as long as the way
+/// of the centre is bent, `rho = 0.7 m`, with half of the disc's mass more for its turn.
+#[test]
+fn a_bar_on_a_disc_that_rolls_in_a_bowl() {
+    let bodies = "        disc: {mass: 4 kg, shape: {disc: 0.2 m}, moves: in the plane, angle: from hanging}
+        bar: {mass: 3 kg, shape: {rod: 1 m}, moves: in the plane, angle: from hanging}";
+    let joints =
+        "        bowl: {rolls: disc, radius: 0.2 m, inside: 0.9 m}\n        H: {hinges: [disc.A, bar.A]}";
+    for (at, other, spin, w) in [(30.0, -20.0, 4.0, 2.5), (-50.0, 60.0, -3.0, 1.5)] {
+        let more = format!(
+            "      start: {{disc: {{angle: {at} deg, spin: {spin} rad/s}}, bar: {{angle: {other} deg, spin: {w} rad/s}}}}"
+        );
+        let found = told(bodies, joints, &more, ["disc.alpha", "bar.alpha", "bar.v_x"]);
+        let (rho, l, m, big) = (0.7, 0.5, 3.0, 4.0);
+        // It rolls back as its centre goes forth.
+        let rate = -spin * 0.2 / rho;
+        let (t, p) = (f64::to_radians(at), f64::to_radians(other));
+        let (c, s) = (libm::cos(t - p), libm::sin(t - p));
+        let (own, mixed, last) = ((1.5 * big + m) * rho * rho, m * rho * l, m / 3.0);
+        let right = [
+            -mixed * s * w * w - (big + m) * G * rho * libm::sin(t),
+            mixed * s * rate * rate - m * G * l * libm::sin(p),
+        ];
+        let det = own * last - mixed * mixed * c * c;
+        let along = (right[0] * last - right[1] * mixed * c) / det;
+        near(
+            found,
+            [
+                -along * rho / 0.2,
+                (own * right[1] - mixed * c * right[0]) / det,
+                rho * rate * libm::cos(t) + l * w * libm::cos(p),
+            ],
+        );
+    }
+}
+
+/// A trolley with a bar on it draws a load over a pulley: the cord grows by `v^2 sin^2/l` even where the trolley keeps its speed.
+#[test]
+fn a_trolley_with_a_bar_on_a_cord_that_turns() {
+    let bodies = "        trolley: {mass: 4 kg, moves: in the plane, placed: [0 m, 0 m]}
+        bar: {mass: 3 kg, shape: {rod: 1 m}, moves: in the plane, angle: from hanging}
+        load: {mass: 2 kg, moves: in the plane, placed: [1.2 m, -0.5 m]}";
+    let joints = "        rail: {guides: trolley, along: horizontal}
+        H: {hinges: [trolley.A, bar.A]}
+        rope: {ties: trolley.A, over: [1.2 m, 0.9 m], to: load}
+        shaft: {guides: load, along: vertical, through: [1.2 m, 0 m]}";
+    let (speed, spin, t) = (-1.5, 2.0, f64::to_radians(40.0));
+    let more = format!(
+        "      start: {{trolley: {{speed: {speed} m/s}}, bar: {{angle: 40 deg, spin: {spin} rad/s}}}}"
+    );
+    let found = told(bodies, joints, &more, ["trolley.a_x", "bar.alpha", "load.a_y", "load.v_y"]);
+    let (length, l) = (1.5, 0.5);
+    let (cosine, sine) = (1.2 / length, 0.9 / length);
+    let (s, c) = (libm::sin(t), libm::cos(t));
+    let bend = speed * speed * sine * sine / length;
+    // The load rises by what the cord grows: bend - a cos.
+    let pull = 2.0 * (G + bend) * cosine;
+    let (own, mixed, last) = (7.0 + 2.0 * cosine * cosine, 3.0 * l * c, 1.0);
+    let right = [pull + 3.0 * l * spin * spin * s, -3.0 * G * l * s];
+    let det = own * last - mixed * mixed;
+    let a = (right[0] * last - mixed * right[1]) / det;
+    near(found, [a, (own * right[1] - mixed * right[0]) / det, bend - a * cosine, -speed * cosine]);
+}

@@ -21,7 +21,8 @@ use crate::num::plant::plant;
 use crate::num::{Dd, Jet, Real, ball, root, trig};
 use crate::scene::pose::{self, Layout, Obstacle, Pose};
 use crate::scene::{
-    Acts, End, Joint, JointKind, Num, Numbers, Owner, Place, Quantity, Rest, Scene, Spot, Strut, StrutEnd,
+    Acts, Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Quantity, Rest, Scene, Spot, Strut,
+    StrutEnd, Surface,
 };
 use crate::solve::energy::pendulum::Pendulum;
 use crate::solve::method::Method;
@@ -115,6 +116,8 @@ struct Account<'a, T: Real> {
     looked: Cell<u64>,
     /// Points of quadratures that are asked for.
     points: Option<usize>,
+    /// [`Scope::granted`].
+    granted: bool,
 }
 
 /// A place of the way to the end: several events are looked for at the same ones.
@@ -136,6 +139,8 @@ struct Stretch<T> {
 
 /// The forces of a joint, each with the sum of the magnitudes of its terms.
 type Forces<T> = SmallVec<[(T, f64); 2]>;
+/// A straight guide: the body that it guides, the one that carries it, its direction.
+type Guided = (usize, Option<usize>, Num);
 /// For each joint: the rows of its conditions.
 type OfJoint = SmallVec<[SmallVec<[usize; 2]>; 4]>;
 
@@ -146,6 +151,12 @@ type Accelerations<'a, T> = (&'a dyn Fn(usize, T) -> Vector<T>, &'a dyn Fn(usize
 
 /// A possible or virtual motion: velocity of the origin of each body's axis, and rate of its angle counter-clockwise.
 type Motion<T> = SmallVec<[[T; 3]; 2]>;
+
+/// How bodies move, and the accelerations that keep their joints together.
+struct Going<T> {
+    motion: Motion<T>,
+    kept: Motion<T>,
+}
 
 /// What a virtual motion makes of the balance: `inertia q'' + bend q'^2 = force`.
 #[derive(Debug, Clone, Copy)]
@@ -190,6 +201,7 @@ pub fn road<T: Real>(
     let mut account = Account::new(scene, n)?;
     account.pinned = scene.pinned().is_some();
     account.points = points;
+    account.granted = asked.granted;
     if points.is_some() && !account.pinned {
         return Err(Refusal::NoMethod { method: Method::Gauss });
     }
@@ -240,7 +252,9 @@ impl<T: Real> Account<'_, T> {
     }
     fn road(&mut self, asked: Scope) -> Result<Road<T>, Refusal> {
         let scene = self.scene;
-        let mut spin = self.layout.start_rate().ok_or(Refusal::Freedoms(2))?;
+        let several = scene.tells_speeds();
+        let mut spin =
+            if several { T::zero() } else { self.layout.start_rate().ok_or(Refusal::Freedoms(2))? };
         let mut road = Road::new(asked);
         if self.pinned {
             self.tell_lasting(spin, asked, &mut road)?;
@@ -336,6 +350,7 @@ impl<'a, T: Real> Account<'a, T> {
             seen: RefCell::new(Vec::new()),
             looked: Cell::new(0),
             points: None,
+            granted: false,
         };
         account.horizon = account.layout.horizon();
         let poses = account.placed()?;
@@ -503,6 +518,11 @@ impl<'a, T: Real> Account<'a, T> {
         Ok(())
     }
 
+    /// What comparisons decide; where they leave it open and the motion is taken for granted, what that is then.
+    fn unless_open<R>(&self, decided: impl Fn() -> R, granted: impl Fn() -> R) -> R {
+        if T::ENCLOSES && self.granted && ball::watch(&decided).1 { granted() } else { decided() }
+    }
+
     /// Solves equations: that rounding may leave open which of them repeat others is noted, and is no doubt which way it goes.
     fn settled<R>(&self, solve: impl FnOnce() -> R) -> R {
         let (solved, doubt) = ball::watch(solve);
@@ -524,6 +544,9 @@ impl<'a, T: Real> Account<'a, T> {
             apart.map(|x| x / length)
         };
         let mut count = 0;
+        // Of each straight guide its body, what carries it, its direction, its normal with its friction, and its row.
+        let mut guides: SmallVec<[(Guided, Vector<T>, usize); 4]> = SmallVec::new();
+        let mut parallel: SmallVec<[(usize, usize, Guided); 2]> = SmallVec::new();
         for (j, (joint, rubs)) in self.scene.joints.iter().zip(&self.rubs).enumerate() {
             let (mut rim, mut below, [rolls, teeth]) = (T::zero(), T::zero(), joint.kind.rolls());
             let ground: Option<(Spot, SmallVec<[Vector<T>; 2]>)> = match joint.kind {
@@ -549,6 +572,18 @@ impl<'a, T: Real> Account<'a, T> {
                 JointKind::Cord { at, place_m, .. } => Some((at, smallvec![tight(at, place_m)])),
                 JointKind::Hinge { .. } => None,
             };
+            if let (true, Some((at, directions)), JointKind::Guide { line, .. }) =
+                (T::ENCLOSES, &ground, joint.kind)
+            {
+                let (own, u) = ((at.body, line.on.map(|on| on.body), line.direction_deg), directions[0]);
+                let alike = |(guided, v, _): &&(Guided, Vector<T>, usize)| {
+                    *guided == own && u[0].same(v[0]) && u[1].same(v[1])
+                };
+                match guides.iter().find(alike) {
+                    Some((.., row)) => parallel.push((*row, count, own)),
+                    None => guides.push((own, u, count)),
+                }
+            }
             let mut own: SmallVec<[usize; 2]> = SmallVec::new();
             let mut add = |ends: &[(Spot, Vector<T>, T)]| {
                 let row = rows.row();
@@ -606,6 +641,10 @@ impl<'a, T: Real> Account<'a, T> {
             if !body.turns {
                 rows.row()[3 * b + 2] = T::of(1.0);
             }
+        }
+        for (one, other, (body, on, _)) in parallel {
+            let [own, its] = [body, on.unwrap_or(body)].map(|b| 3 * b);
+            rows.alike(one, other, [own, own + 1, its, its + 1]);
         }
         (rows, of_joint)
     }
@@ -805,7 +844,9 @@ impl<'a, T: Real> Account<'a, T> {
         let begin = self.poses(T::zero())?;
         let backward = far.sign() < 0.0 || !ball::unwatched(|| self.presses(&begin, from))?;
         let from = (&begin, from);
-        let found = if backward { None } else { self.reached(far, from)? };
+        let there = || matches!(scene.end, End::Angle(..)).then_some(far);
+        let reached = || self.unless_open(|| self.reached(far, from), || Ok(there()));
+        let found = if backward { None } else { reached()? };
         let stays = !backward && found.is_none() && limit.is_none() && !matches!(scene.end, End::Angle(..));
         let goes_on = stays && self.turning(far, from)?.is_none() && self.stays_in_touch(far, from)?;
         self.goes_on.set(goes_on);
@@ -937,8 +978,10 @@ impl<'a, T: Real> Account<'a, T> {
     /// An instant: of one freedom with any rate, of several from rest.
     fn instant(&mut self, spin: T, road: &mut Road<T>) -> Result<(), Refusal> {
         let (scene, poses) = (self.scene, self.placed()?);
+        let told = if scene.tells_speeds() { Some(self.told(&poses)?) } else { None };
+        let told = told.filter(|motion| motion.iter().flatten().any(|x| !x.is_zero()));
         if scene.is_struck() {
-            let mut jump = self.sets_off(&poses, true)?;
+            let mut jump = self.sets_off(&poses, None, true)?;
             if let Some((_, e)) = scene.restitution {
                 let e = plant!("energy: restitution", self.n.get(e));
                 for (v, before) in jump.iter_mut().flatten().zip(self.before(&poses).iter().flatten()) {
@@ -946,7 +989,11 @@ impl<'a, T: Real> Account<'a, T> {
                 }
             }
             let mut after = jump.clone();
-            if !spin.is_zero() {
+            if let Some(told) = told {
+                for (v, told) in after.iter_mut().flatten().zip(told.iter().flatten()) {
+                    *v = v.balance(*told);
+                }
+            } else if !spin.is_zero() {
                 // How it moves is told by what guides it on the way, as a light rod does.
                 for (v, unit) in after.iter_mut().zip(self.rates(&self.poses(T::zero())?)) {
                     *v = [0, 1, 2].map(|i| v[i].balance(unit[i] * spin));
@@ -968,17 +1015,20 @@ impl<'a, T: Real> Account<'a, T> {
             let (second, _) = self.acceleration(&poses, spin.square())?;
             return self.tell(&poses, spin, second, road);
         }
+        if let Some(motion) = told {
+            return self.in_motion(&poses, motion, road);
+        }
         // What starts from rest slides as it would without friction, if friction lets it.
-        let mut sum = self.sets_off(&poses, false)?;
+        let mut sum = self.sets_off(&poses, None, false)?;
         self.slides = self.sliding(&poses, &sum);
         while self.slides.iter().any(|s| *s != 0.0) {
             self.press(&|account, joint| {
-                let sum = account.sets_off(&poses, false)?;
+                let sum = account.sets_off(&poses, None, false)?;
                 let moves = |b: usize, along: T| account.velocity(&poses, &sum, b, along);
                 Ok(account.reaction(&poses, joint, &moves, false).map(|force| force[0].0))
             })?;
-            sum = self.sets_off(&poses, false)?;
-            let now = self.sliding(&poses, &sum);
+            sum = self.sets_off(&poses, None, false)?;
+            let now = self.unless_open(|| self.sliding(&poses, &sum), || self.slides.clone());
             if now == self.slides {
                 break;
             }
@@ -1026,9 +1076,134 @@ impl<'a, T: Real> Account<'a, T> {
         Ok(moment)
     }
 
-    /// Accelerations from rest, or the velocities that blows give, of any number of freedoms: a sum of the motions that the joints
-    /// allow, from the balances of the virtual motions in which normal forces and their friction do no work.
-    fn sets_off(&self, poses: &Poses<T>, blows: bool) -> Result<Motion<T>, Refusal> {
+    /// An instant of several freedoms that move so.
+    fn in_motion(&mut self, poses: &Poses<T>, motion: Motion<T>, road: &mut Road<T>) -> Result<(), Refusal> {
+        self.slides = self.sliding(poses, &motion);
+        outcome::all_slide(self.scene, &self.slides)?;
+        let kept = self.kept(poses, &motion);
+        let going = Going { motion, kept };
+        self.press(&|account, joint| {
+            let sum = account.sets_off(poses, Some(&going), false)?;
+            let moves = |b: usize, along: T| account.speeds_up(poses, &going, &sum, b, along);
+            Ok(account.reaction(poses, joint, &moves, false).map(|force| force[0].0))
+        })?;
+        let sum = self.sets_off(poses, Some(&going), false)?;
+        let moves = |b: usize, along: T| self.speeds_up(poses, &going, &sum, b, along);
+        self.all(poses, &going.motion, &moves, &|b| sum[b][2], road)
+    }
+    /// Acceleration of a point at a distance along the axis of a body that moves so, where its origin and its turn have these.
+    fn speeds_up(
+        &self,
+        poses: &Poses<T>,
+        going: &Going<T>,
+        sum: &Motion<T>,
+        body: usize,
+        along: T,
+    ) -> Vector<T> {
+        let (here, square) = (self.velocity(poses, sum, body, along), going.motion[body][2].square());
+        [0, 1].map(|i| here[i] - square * along * poses[body].axis[i].value)
+    }
+
+    /// How everything moves by the speeds that are told. Errors: they leave that open.
+    fn told(&self, poses: &Poses<T>) -> Result<Motion<T>, Refusal> {
+        let (mut rows, _) = self.conditions(poses, false, 1);
+        let columns = 3 * self.scene.bodies.len();
+        for (of, number) in self.scene.start_speeds() {
+            let row = rows.row();
+            row[columns] = self.n.get(number);
+            if of.degree == Degree::Turn {
+                row[3 * of.body + 2] = T::of(self.counts(of.body));
+                continue;
+            }
+            // The way of its point along the line, seen from what carries that.
+            let (joint, at) = self.scene.guide_of(of.body).ok_or(Refusal::Open(of))?;
+            let here: pose::Poses<T> = poses.iter().map(Pose::here).collect();
+            let (u, place) = (self.layout.told_along(joint, &here), self.point(poses, at).map(|x| x.value));
+            let on = self.scene.joints[joint].kind.carrier().map(|on| (on.body, u.map(|x| -x)));
+            for (body, u) in std::iter::once((at.body, u)).chain(on) {
+                row[3 * body] = row[3 * body] + u[0];
+                row[3 * body + 1] = row[3 * body + 1] + u[1];
+                row[3 * body + 2] = row[3 * body + 2] + about(poses, body, here[body].within(place), u);
+            }
+        }
+        let reduced = self.settled(|| rows.reduce(&[]));
+        if reduced.open().is_empty() { Ok(self.motion(&reduced)) } else { Err(Refusal::Freedoms(2)) }
+    }
+
+    /// Accelerations that keep the joints together where the bodies move so: against those with which they would come apart if each body
+    /// went on straight and turned evenly.
+    fn kept(&self, poses: &Poses<T>, motion: &Motion<T>) -> Motion<T> {
+        let onward = |(pose, [x, y, turn]): (&Pose<Jet<T>>, &[T; 3])| {
+            let ([c, s], zero) = (pose.axis.map(|a| a.value), T::zero());
+            let going = |value: T, first: T, second: T| Jet { value, first, second };
+            let [ox, oy] = pose.origin.map(|o| o.value);
+            Pose {
+                origin: [going(ox, *x, zero), going(oy, *y, zero)],
+                axis: [
+                    going(c, -(s * *turn), -(c * turn.square())),
+                    going(s, c * *turn, -(s * turn.square())),
+                ],
+            }
+        };
+        let onward: Poses<T> = poses.iter().zip(motion).map(onward).collect();
+        let length = |[x, y]: [Jet<T>; 2]| (x * x + y * y).square_root();
+        let from = |at: Spot, [x, y]: [Jet<T>; 2]| {
+            let [px, py] = self.point(&onward, at);
+            [px - x, py - y]
+        };
+        let (mut rows, of_joint) = self.conditions(poses, false, 1);
+        let columns = 3 * self.scene.bodies.len();
+        for (j, (joint, own)) in self.scene.joints.iter().zip(&of_joint).enumerate() {
+            let apart: SmallVec<[T; 2]> = match joint.kind {
+                JointKind::Pin { at, .. } => self.point(&onward, at).map(|x| x.second).into_iter().collect(),
+                JointKind::Hinge { one, other, .. } => {
+                    let off = from(one, self.point(&onward, other));
+                    off.map(|x| x.second).into_iter().chain([T::zero()]).take(own.len()).collect()
+                }
+                JointKind::Cord { at, place_m, beyond, .. } => {
+                    let ends = std::iter::once((at, place_m)).chain(beyond);
+                    let all = ends.map(|(at, place)| {
+                        length(from(at, pose::ground(self.n, place).map(Jet::fixed))).second
+                    });
+                    smallvec![-all.fold(T::zero(), |sum, x| sum + x)]
+                }
+                JointKind::Guide { at, .. } | JointKind::Contact { at, .. } => {
+                    let place = self.point(poses, at).map(|x| x.value);
+                    let Some(touch) = self.layout.touch(j, place, self.line(poses, j)) else { continue };
+                    let [rolls, teeth] = joint.kind.rolls();
+                    let [x, y] = self.layout.line(j, &onward);
+                    let both = match joint.kind.surface() {
+                        Some((_, _, Surface::Arc { centre_m, inside, .. })) => {
+                            let out = from(at, pose::ground(self.n, centre_m).map(Jet::fixed));
+                            let along = dot(touch.along, out.map(|x| x.second));
+                            [length(out).second.signed(if inside { -1.0 } else { 1.0 }), along]
+                        }
+                        _ => {
+                            let on = joint.kind.carrier().map(|on| self.point(&onward, on));
+                            let [px, py] = from(at, on.unwrap_or([Jet::fixed(T::zero()); 2]));
+                            let up = dot(touch.along, [x.value, y.value]).sign();
+                            [(x * py - y * px).second, (x * px + y * py).second.signed(up)]
+                        }
+                    };
+                    both[usize::from(teeth)..1 + usize::from(rolls)].iter().copied().collect()
+                }
+            };
+            for (row, apart) in own.iter().zip(apart) {
+                rows.right_of(*row)[columns] = plant!("energy: what keeps joints together", -apart);
+            }
+        }
+        self.motion(&self.settled(|| rows.reduce(&[])))
+    }
+
+    /// Accelerations from rest, or beside those that keep the joints together, or the velocities that blows give, of any number of
+    /// freedoms: a sum of the motions that the joints allow, from the balances of the virtual motions in which normal forces and their
+    /// friction do no work.
+    fn sets_off(
+        &self,
+        poses: &Poses<T>,
+        going: Option<&Going<T>>,
+        blows: bool,
+    ) -> Result<Motion<T>, Refusal> {
         let bodies = self.scene.bodies.len();
         let modes = |virtually: bool| -> Vec<Motion<T>> {
             let reduced = self.settled(|| self.conditions(poses, virtually, 1).0.reduce(&[]));
@@ -1052,13 +1227,22 @@ impl<'a, T: Real> Account<'a, T> {
                     }
                 }
             }
-            let powers = self.powers(poses, one, blows);
+            let mut powers = self.powers(poses, one, blows);
+            if let Some(going) = going {
+                for (b, numbers) in self.n.bodies.iter().enumerate() {
+                    let (centre, gyration) = self.centres[b];
+                    powers.extend([centre + gyration, centre - gyration].map(|along| {
+                        let kept = self.speeds_up(poses, going, &going.kept, b, along);
+                        -(numbers.mass.scale2(-1) * dot(self.velocity(poses, one, b, along), kept))
+                    }));
+                }
+            }
             let size = powers.iter().map(|p| p.size()).sum();
             row[modes.len()] = powers.into_iter().fold(T::zero(), |sum, p| sum + p).cleared(size);
             rows.sized(size);
         }
         let rates = self.settled(|| rows.reduce(&[]).solution()).ok_or(Refusal::Freedoms(modes.len()))?;
-        let mut sum: Motion<T> = smallvec![[T::zero(); 3]; bodies];
+        let mut sum = going.map_or_else(|| smallvec![[T::zero(); 3]; bodies], |going| going.kept.clone());
         for (mode, rate) in modes.iter().zip(&rates) {
             for (s, m) in sum.iter_mut().zip(mode) {
                 for (s, m) in s.iter_mut().zip(m) {

@@ -237,7 +237,7 @@ pub fn road_by<T: Real>(
 /// Follows the bodies to the instant or the end that is asked, and tells what is there.
 fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
     let (scene, mechanism) = (teller.scene, teller.mechanism);
-    let mut spin = mechanism.start_rate()?;
+    let mut spin = if scene.tells_speeds() { T::zero() } else { mechanism.start_rate()? };
     if teller.pinned.is_some() {
         teller.tell_lasting(spin)?;
     }

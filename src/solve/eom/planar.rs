@@ -14,7 +14,7 @@
 //! where nothing rubs: `(sum of m v^2) q'' = sum of F . v` while the rate is 0.
 //! Source: Meriam & Kraige, *Engineering Mechanics: Dynamics*, articles 5/6 (relative acceleration) and 6/5 (general plane motion).
 use crate::num::Real;
-use crate::num::eliminate::Equations;
+use crate::num::eliminate::{Equations, Reduced};
 use crate::num::half::Half;
 use crate::num::linear::{Factors, Linear};
 use crate::num::plant::plant;
@@ -27,6 +27,9 @@ use std::cell::RefCell;
 
 /// A point that is farther below a surface than this share of the size of everything has passed through it.
 const PIERCED: f64 = 1e-9;
+
+/// A speed that is told may be off by this share from what the joints make of the others: printed data round it.
+const LOOSE: f64 = 1e-12;
 
 /// Right-hand side of the forces.
 pub const CONSTANT: usize = 0;
@@ -404,6 +407,49 @@ impl<'a, T: Real> Mechanism<'a, T> {
         Ok(state)
     }
 
+    /// How everything moves at the start by the speeds that are told of several freedoms, and the rate in units of which that is: the
+    /// fastest turn.
+    ///
+    /// Errors: speeds that leave a freedom open, or that the joints contradict.
+    pub fn told(&self) -> Result<(State<T>, T), Refusal> {
+        let mut state = self.state(T::zero(), false)?;
+        let (mut rows, zero) = (state.rows.clone(), T::zero());
+        let mut speeds: Vec<T> = rows.iter().map(|_| zero).collect();
+        for (of, number) in self.scene.start_speeds() {
+            let end = |along, lever, radius| End { body: of.body, along, lever, radius, rim: zero };
+            let (one, other) = match of.degree {
+                Degree::Turn => (end([zero; 2], [zero; 2], T::of(self.sense(of.body))), None),
+                Degree::Along => {
+                    let (joint, at) = self.scene.guide_of(of.body).ok_or(Refusal::Open(of))?;
+                    let along = self.layout.told_along(joint, &state.poses);
+                    self.against(joint, &state.poses, end(along, self.lever(&state.poses, at), zero))
+                }
+            };
+            rows.push(Row::new(0, one, other, zero));
+            speeds.push(self.n.get(number));
+            let (given, lacks) = (speeds[speeds.len() - 1].f64(), self.lacks(&rows, &speeds));
+            if lacks.abs() > LOOSE * given.abs() {
+                return Err(Refusal::Contradiction { of, given, follows: given - lacks });
+            }
+        }
+        let reduced = self.equations(&rows, &speeds).reduce(&[]);
+        let open = self.scene.start_speeds().count() + self.columns - reduced.rank();
+        let found = self.found(&reduced).ok_or(Refusal::Freedoms(open))?;
+        self.per_body(&found, &mut state.rates);
+        let turns = |rate: &[T; 3]| (rate[0].size().max(rate[1].size()) / self.size()).max(rate[2].size());
+        let fastest = state.rates.iter().map(turns).filter(|turn| turn.is_finite()).fold(0.0, f64::max);
+        if fastest > 0.0 {
+            state.rates.iter_mut().flatten().for_each(|rate| *rate = *rate / T::of(fastest));
+        }
+        Ok((state, T::of(fastest)))
+    }
+
+    /// By how much the last speed is more than the rows before it say, where they say it.
+    fn lacks(&self, rows: &[Row<T>], speeds: &[T]) -> f64 {
+        let reduced = self.equations(rows, speeds).reduce(&[]);
+        if reduced.repeats() { 0.0 } else { reduced.lacks().f64() }
+    }
+
     /// Do the bodies lie as the joints and the data say?
     ///
     /// Errors: one that does not bridge what holds it, a joint that does not hold, an angle at the start that is another.
@@ -414,10 +460,34 @@ impl<'a, T: Real> Mechanism<'a, T> {
         if let Some((joint, off_m)) = self.layout.parted(poses, at_start) {
             return Err(Refusal::Parted { joint, off_m, at_start });
         }
+        if let Some(body) = (0..self.scene.bodies.len()).find(|b| at_start && self.is_hollow(poses, *b)) {
+            return Err(Refusal::Hollow(body));
+        }
         match at_start.then(|| self.layout.tilted(poses)).flatten() {
             Some((body, [given_deg, follows_deg])) => Err(Refusal::Tilted { body, given_deg, follows_deg }),
             None => Ok(()),
         }
+    }
+
+    /// Is more taken away from a body than there is of it, in mass or about the common mass centre?
+    fn is_hollow(&self, poses: &Poses<T>, body: usize) -> bool {
+        let holes = self.scene.joints.iter().filter_map(|joint| match joint.kind {
+            JointKind::Hinge { one, other, turned_deg: Some(_) } if one.body == body => Some(other.body),
+            JointKind::Hinge { one, other, turned_deg: Some(_) } if other.body == body => Some(one.body),
+            _ => None,
+        });
+        let own = &self.n.bodies[body];
+        let (mut mass, mut moment, mut inertia, mut any) = (own.mass, [T::zero(); 2], own.inertia, false);
+        for hole in holes.filter(|hole| self.scene.bodies[*hole].removed && !self.scene.bodies[body].removed)
+        {
+            let (numbers, off) =
+                (&self.n.bodies[hole], pose::less(self.centre(poses, hole), self.centre(poses, body)));
+            any = true;
+            mass = mass + numbers.mass;
+            moment = [0, 1].map(|i| moment[i] + numbers.mass * off[i]);
+            inertia = inertia + numbers.inertia + numbers.mass * dot(off, off);
+        }
+        any && !(mass.f64() > 0.0 && (inertia - dot(moment, moment) / mass).f64() > 0.0)
     }
 
     /// [`Self::state`] in the place of another one of a motion.
@@ -474,18 +544,28 @@ impl<'a, T: Real> Mechanism<'a, T> {
             state.kinematics.solve(&mut speeds);
         } else {
             // Joints that repeat each other, or a place near to where they do.
-            let mut equations = Equations::new(columns);
-            for (held, speed) in state.rows.iter().chain([&state.leads.0]).zip(&speeds) {
-                let row = equations.row();
-                self.speeds(held, |at, x| row[at] = row[at] + x);
-                row[columns] = *speed;
-            }
-            let reduced = equations.reduce(&[]);
-            let found: Option<_> = (0..columns).map(|i| reduced.value(i)).collect();
-            speeds = found.ok_or_else(|| Refusal::Freedoms(columns + 1 - reduced.rank()))?;
+            let rows: Vec<Row<T>> = state.rows.iter().chain([&state.leads.0]).copied().collect();
+            let reduced = self.equations(&rows, &speeds).reduce(&[]);
+            speeds = self.found(&reduced).ok_or_else(|| Refusal::Freedoms(columns + 1 - reduced.rank()))?;
         }
         self.per_body(&speeds, &mut state.rates);
         Ok(())
+    }
+
+    /// Rows as conditions of the velocities, and the speeds along them.
+    fn equations(&self, rows: &[Row<T>], speeds: &[T]) -> Equations<T> {
+        let mut equations = Equations::new(self.columns);
+        for (held, speed) in rows.iter().zip(speeds) {
+            let row = equations.row();
+            self.speeds(held, |at, x| row[at] = row[at] + x);
+            row[self.columns] = *speed;
+        }
+        equations
+    }
+
+    /// All velocities, if none is open.
+    fn found(&self, reduced: &Reduced<T>) -> Option<SmallVec<[T; 12]>> {
+        (0..self.columns).map(|i| reduced.value(i)).collect()
     }
 
     /// What a row makes of the velocities: of each that it holds its place among all, and its share.

@@ -9,7 +9,11 @@ use crate::solve::outcome::{self, Course, Refusal};
 /// The instant of the start, from this rate.
 pub fn at_once<T: Real>(teller: &mut Teller<T>, spin: T, nothing: &[f64]) -> Result<(), Refusal> {
     let (scene, mechanism) = (teller.scene, teller.mechanism);
-    let state = mechanism.state(T::zero(), !spin.is_zero() || teller.pinned.is_some())?;
+    let (state, spin) = if scene.tells_speeds() {
+        mechanism.told()?
+    } else {
+        (mechanism.state(T::zero(), !spin.is_zero() || teller.pinned.is_some())?, spin)
+    };
     if scene.is_struck() {
         let jumps = mechanism.struck(&state)?;
         teller.tell_blow(&state, &jumps);
