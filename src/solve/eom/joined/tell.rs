@@ -16,6 +16,9 @@ const PIECES: f64 = 9.0;
 /// An equilibrium is indifferent whose stiffness is below this share of what forces could give it.
 const INDIFFERENT: f64 = 1e-9;
 
+/// A load of which no more than this share is lacking is carried.
+const SHARED: f64 = 1e-9;
+
 /// What accelerations are told of: the response, what adds up on each body to the right and up, and the terms of an angular one.
 type Accelerated<'r, T> = (&'r Response<T>, &'r [[f64; 2]], f64);
 
@@ -212,6 +215,23 @@ impl<T: Real> Teller<'_, '_, T> {
         }
     }
 
+    /// Do those of them that share a load in a way that statics leaves open carry it? In a blow these are impulses.
+    pub fn watch_shares(
+        &mut self,
+        state: &State<T>,
+        (response, square): (&Response<T>, T),
+        sliding: &[f64],
+        blow: bool,
+    ) {
+        let lacking = self.mechanism.lacking(state, (response, square), sliding, blow);
+        if let Some((joint, lacks, all)) = lacking.filter(|(_, lacks, all)| !lacks.le(&(SHARED * all))) {
+            let quantity = if blow { Quantity::Impulse } else { Quantity::Normal };
+            let [lacks, all] = [lacks, all].map(|x| self.n.publish(quantity, T::of(x)).f64());
+            let held = if blow { Held::Jolted } else { Held::Touching };
+            self.road.held.push(held(joint, -lacks, all));
+        }
+    }
+
     /// Sum of the magnitudes of all impulses that strike.
     pub fn blows(&self) -> f64 {
         pose::blows(self.scene, self.n)
@@ -227,6 +247,7 @@ impl<T: Real> Teller<'_, '_, T> {
     /// The impulses of the joints at a blow. One that can only push and would have to pull lets go, and the other way round.
     pub fn tell_blow(&mut self, state: &State<T>, jumps: &Response<T>) {
         let all = self.blows() + self.mechanism.gained(jumps);
+        self.watch_shares(state, (jumps, T::zero()), &[], true);
         let on = self.mechanism.adding_up(state, (jumps, T::zero()), true);
         for (j, joint) in self.scene.joints.iter().enumerate() {
             let (of, quantities) = (Owner::Joint(j), joint.kind.impulses());
@@ -440,6 +461,7 @@ impl<T: Real> Teller<'_, '_, T> {
                 }
             }
         }
+        self.watch_shares(state, (response, square), sliding, false);
         for (s, strut) in scene.struts.iter().enumerate() {
             let (of, force) = (Owner::Strut(s), mechanism.tension(state, s));
             let terms = force.size() + mechanism.measure(s);
