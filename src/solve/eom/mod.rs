@@ -1289,7 +1289,11 @@ impl<'a, T: Real> Walk<'a, T> {
                 }
                 Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => {
                     let f = self.friction(t, pulls);
-                    let scale = self.friction_scale(&self.response, *body, f, pulls);
+                    // Of what slides it is mu N; else it follows from the other forces.
+                    let moves = self.along(*body).is_some_and(|c| !self.acceleration(c, pulls).is_zero());
+                    let slides = moves && !matches!(tie, Tie::Roll { .. }) && !f.is_zero();
+                    let scale =
+                        if slides { f.size() } else { self.friction_scale(&self.response, *body, f, pulls) };
                     self.say_scaled(Quantity::Friction, Owner::Body(*body), f.signed(self.up(*body)), scale);
                 }
                 Tie::Cord(c) => match c.to {
