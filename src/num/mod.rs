@@ -17,6 +17,7 @@ pub mod ode;
 pub mod plant;
 pub mod real;
 pub mod root;
+pub mod shares;
 pub mod shown;
 pub mod trig;
 

@@ -8,6 +8,7 @@ use crate::solve::outcome::{
     Check, CheckKind, Entry, Kind, Refusal, Road, Said, Scope, Set, Solved, Told, Unsupported,
 };
 use crate::solve::{condition, energy, eom, physical};
+use std::f64::consts::{PI, TAU};
 
 /// Each road may be off by `8 u max(1, cond)`.
 pub const EACH_ROAD: f64 = 8.0;
@@ -347,12 +348,18 @@ fn compared(
             (eom, energy) = (0.0, 0.0);
             entry.eom = Some(eom);
         }
+        // Half a turn to either side is one direction.
+        if entry.label.quantity == Quantity::PinAngle && (eom - energy).abs() > PI {
+            energy += TAU.copysign(eom);
+        }
         entry.energy = Some(energy);
         if entry.cond.is_nan() && !agree(eom, energy, 1.0) {
             entry.cond = condition::numbers(scene, data, course, std::slice::from_ref(entry))[0];
         }
-        if !agree(eom, energy, entry.cond) {
-            let allowed = 2.0 * EACH_ROAD * U * entry.cond.max(1.0);
+        // What no datum moves is a sum of its terms all the same.
+        let cond = if entry.cond == 0.0 { entry.scale / eom.abs() } else { entry.cond };
+        if !agree(eom, energy, cond) {
+            let allowed = 2.0 * EACH_ROAD * U * cond.max(1.0);
             return Err(Refusal::Disagree { label: entry.label, eom, energy, allowed });
         }
     }

@@ -48,6 +48,7 @@ mod reference_cases;
 mod rest;
 mod rubbing;
 mod seed_sweep;
+mod shares;
 mod swing_extremes;
 mod swings;
 mod switches;

@@ -916,6 +916,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             teller.road.held.push(Held::Touching(joint, 0.0, 1.0));
             return Ok(());
         }
+        let square = self.mechanism.start_rate()?.square();
+        teller.watch_shares(&first, (&begin, square), &self.rubs, false);
         let nothing: Vec<(usize, f64, f64)> =
             (0..scene.joints.len()).map(|j| (j, f64::INFINITY, 0.0)).collect();
         let mut least = nothing.clone();

@@ -18,7 +18,7 @@ use crate::num::eliminate::{Equations, Reduced};
 use crate::num::half::Half;
 use crate::num::linear::{Factors, Linear};
 use crate::num::plant::plant;
-use crate::num::root;
+use crate::num::{root, shares};
 use crate::scene::pose::{self, Layout, Obstacle};
 use crate::scene::{Acts, Degree, JointKind, Numbers, Rest, Scene, Spot, Strut, StrutEnd, Surface};
 use crate::solve::outcome::{self, Refusal};
@@ -1065,6 +1065,55 @@ impl<'a, T: Real> Mechanism<'a, T> {
     pub fn adding_to(&self, state: &State<T>, (joint, i): (usize, usize), on: &[[f64; 2]]) -> f64 {
         let along = |end: &End<T>| (0..2).map(|i| end.along[i].size() * on[end.body][i]).sum();
         state.rows[self.held[joint] + i].loaded().map(along).fold(f64::INFINITY, f64::min)
+    }
+    /// Where statics leaves open how joints that can only push or only pull share a load: the first of them, and what is lacking of that
+    /// load where each of them does so, N or N m, 0 where nothing is, beside all of it. `None` where none is open.
+    pub fn lacking(
+        &self,
+        state: &State<T>,
+        (response, square): (&Response<T>, T),
+        sliding: &[f64],
+        blow: bool,
+    ) -> Option<(usize, f64, f64)> {
+        let rows = self.rubbing(state, sliding);
+        let held = rows.iter().zip(&response.forces).enumerate();
+        let sided = |i: usize, row: &Row<T>| {
+            let joint = self.scene.joints.get(row.joint);
+            joint.is_some_and(|joint| joint.kind.is_one_sided() && i == self.held[row.joint])
+        };
+        let (first, _) = held.clone().find(|(i, (row, force))| force.is_none() && sided(*i, row))?;
+        let given = self.forces(&state.poses, blow);
+        let mut load = vec![0.0; 3 * given.len()];
+        for (b, force) in given.iter().enumerate() {
+            let inertias = self.inertias(b);
+            for k in 0..if self.turns(b) { 3 } else { 2 } {
+                let moved = self.response_of(response, b, square)[k];
+                load[3 * b + k] = (inertias[k] * moved - force[k]).f64();
+            }
+        }
+        let mut columns = Vec::new();
+        for (i, (row, force)) in held {
+            let mut column = vec![0.0; load.len()];
+            for end in row.loaded() {
+                let reacts = Self::reacts(row, end);
+                for (k, f) in reacts.iter().enumerate().take(if self.turns(end.body) { 3 } else { 2 }) {
+                    column[3 * end.body + k] += f.f64();
+                }
+            }
+            match force {
+                None => columns.push((column, !sided(i, row))),
+                Some((constant, by_square)) => {
+                    let force = constant.balance(*by_square * square).f64();
+                    load.iter_mut().zip(&column).for_each(|(load, of)| *load -= force * of);
+                }
+            }
+        }
+        let all = load.iter().map(|x| x.abs()).sum();
+        Some((rows[first].joint, shares::lacking(&columns, &load), all))
+    }
+    /// Acceleration of a mass centre and of the turn at this square of the rate, or in a blow the jumps of their velocities.
+    fn response_of(&self, response: &Response<T>, body: usize, square: T) -> [T; 3] {
+        [0, 1, 2].map(|k| response.moves[0][body][k].balance(response.moves[1][body][k] * square))
     }
     /// Velocity of a mass centre for a unit rate.
     pub fn velocity(&self, state: &State<T>, body: usize) -> Vector<T> {

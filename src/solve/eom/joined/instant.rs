@@ -67,7 +67,7 @@ fn driven<T: Real>(teller: &mut Teller<T>, alpha: T, spin: T) -> Result<(), Refu
     let arm = mechanism.size();
     let size = beside(moment.size() + teller.pulls() * arm, teller.loads(spin.square()) * arm);
     teller.say_scaled(Quantity::Drive, Owner::Body(mechanism.lead), moment, size);
-    teller.tell_powers(&state, spin, Some(moment));
+    teller.tell_powers(&state, spin, Some((moment, size)));
     teller.watch(&response, spin.square());
     let lead = mechanism.leading(&response);
     teller.tell(&state, &response, (spin, lead), &rubs)

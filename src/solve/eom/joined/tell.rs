@@ -16,6 +16,9 @@ const PIECES: f64 = 9.0;
 /// An equilibrium is indifferent whose stiffness is below this share of what forces could give it.
 const INDIFFERENT: f64 = 1e-9;
 
+/// A load of which no more than this share is lacking is carried.
+const SHARED: f64 = 1e-9;
+
 /// What accelerations are told of: the response, what adds up on each body to the right and up, and the terms of an angular one.
 type Accelerated<'r, T> = (&'r Response<T>, &'r [[f64; 2]], f64);
 
@@ -59,10 +62,9 @@ impl<T: Real> Teller<'_, '_, T> {
     /// How far the mass centre of a body is above where it began.
     pub fn tell_risen(&mut self, body: usize, from: T, to: T) {
         let size = self.mechanism.size();
+        // Not the heights are its terms: they count from an origin, and a rise is worked out from the angle or from the energy.
         let rise = (to - from).cleared(size);
-        // The heights count from an origin that the scene need not be near.
-        let terms = f64::min(sizes(&[from, to]), size);
-        self.say_scaled(Quantity::Rise, Owner::Body(body), rise, beside(terms, size));
+        self.say_scaled(Quantity::Rise, Owner::Body(body), rise, beside(rise.size(), size));
     }
 
     pub fn say(&mut self, quantity: Quantity, of: Owner, value: T) {
@@ -213,6 +215,23 @@ impl<T: Real> Teller<'_, '_, T> {
         }
     }
 
+    /// Do those of them that share a load in a way that statics leaves open carry it? In a blow these are impulses.
+    pub fn watch_shares(
+        &mut self,
+        state: &State<T>,
+        (response, square): (&Response<T>, T),
+        sliding: &[f64],
+        blow: bool,
+    ) {
+        let lacking = self.mechanism.lacking(state, (response, square), sliding, blow);
+        if let Some((joint, lacks, all)) = lacking.filter(|(_, lacks, all)| !lacks.le(&(SHARED * all))) {
+            let quantity = if blow { Quantity::Impulse } else { Quantity::Normal };
+            let [lacks, all] = [lacks, all].map(|x| self.n.publish(quantity, T::of(x)).f64());
+            let held = if blow { Held::Jolted } else { Held::Touching };
+            self.road.held.push(held(joint, -lacks, all));
+        }
+    }
+
     /// Sum of the magnitudes of all impulses that strike.
     pub fn blows(&self) -> f64 {
         pose::blows(self.scene, self.n)
@@ -228,6 +247,7 @@ impl<T: Real> Teller<'_, '_, T> {
     /// The impulses of the joints at a blow. One that can only push and would have to pull lets go, and the other way round.
     pub fn tell_blow(&mut self, state: &State<T>, jumps: &Response<T>) {
         let all = self.blows() + self.mechanism.gained(jumps);
+        self.watch_shares(state, (jumps, T::zero()), &[], true);
         let on = self.mechanism.adding_up(state, (jumps, T::zero()), true);
         for (j, joint) in self.scene.joints.iter().enumerate() {
             let (of, quantities) = (Owner::Joint(j), joint.kind.impulses());
@@ -255,9 +275,15 @@ impl<T: Real> Teller<'_, '_, T> {
     /// Velocities and energy at this rate of what leads, with the accelerations where they are told.
     pub fn tell_motion(&mut self, state: &State<T>, rate: T, response: Option<Accelerated<T>>) {
         let (scene, mechanism) = (self.scene, self.mechanism);
-        let (mut energy, mut heavy) = (T::zero(), 0.0);
-        // The fastest point moves no faster than this share of the leading angle's rate.
-        let fastest = rate.size() * mechanism.size();
+        let mut energy = T::zero();
+        // How fast the bodies turn and move at most: beside that a speed is small.
+        let turn = |b: usize| (mechanism.spin(state, b) * rate).size();
+        let quickest = (0..scene.bodies.len()).map(turn).fold(0.0, f64::max);
+        let moves = |b: usize| {
+            let centre: f64 = mechanism.velocity(state, b).iter().map(|v| (*v * rate).size()).sum();
+            centre + turn(b) * pose::extent(scene, self.n, b)
+        };
+        let fastest = (0..scene.bodies.len()).map(moves).fold(0.0, f64::max);
         // What is driven moves as it is driven; else accelerations are worked out of that body on which least acts for its mass.
         let moved = |b: usize, force: f64| {
             let mass = self.n.bodies[b].mass.size();
@@ -269,7 +295,8 @@ impl<T: Real> Teller<'_, '_, T> {
             let speed = (vx.square() + vy.square()).root();
             let numbers = self.n.bodies[b];
             energy = energy + numbers.mass * speed.square();
-            heavy += numbers.mass.size();
+            // Its own are its terms, where it moves at all.
+            let fastest = beside(moves(b), fastest);
             self.say_scaled(Quantity::V, of, speed, fastest);
             self.say_scaled(Quantity::VX, of, vx, fastest);
             self.say_scaled(Quantity::VY, of, vy, fastest);
@@ -294,10 +321,10 @@ impl<T: Real> Teller<'_, '_, T> {
                 energy = energy + numbers.inertia * spin.square();
                 if self.pinned.is_none() {
                     let momentum = plant!("eom: angular momentum in the plane", numbers.inertia * spin.abs());
-                    let size = numbers.inertia.size() * f64::max(spin.size(), rate.size());
+                    let size = numbers.inertia.size() * beside(spin.size(), quickest);
                     self.say_scaled(Quantity::AngularMomentum, of, momentum, size);
                 }
-                self.say_scaled(Quantity::Omega, of, spin.abs(), f64::max(spin.size(), rate.size()));
+                self.say_scaled(Quantity::Omega, of, spin.abs(), beside(spin.size(), quickest));
                 if let Some((response, _, terms)) = response {
                     let (constant, by_square) = mechanism.turning(response, b);
                     let alpha = constant.balance(by_square * rate.square());
@@ -312,8 +339,7 @@ impl<T: Real> Teller<'_, '_, T> {
                 self.say_scaled(Quantity::V, Owner::Spot(spot), (x.square() + y.square()).root(), fastest);
             }
         }
-        let most = f64::max(energy.size(), heavy * fastest * fastest);
-        self.say_scaled(Quantity::KineticEnergy, Owner::Scene, energy.scale2(-1), most);
+        self.say(Quantity::KineticEnergy, Owner::Scene, energy.scale2(-1));
     }
 
     /// Everything at a place, at this rate of the leading angle.
@@ -328,7 +354,10 @@ impl<T: Real> Teller<'_, '_, T> {
         // Where all vanish by symmetry, what falls freely over such a distance is left to measure them by.
         let size = self.mechanism.size();
         let free = if size > 0.0 { self.n.gravity.size() / size } else { 0.0 };
-        let all = beside(lead.0.size() + lead.1.size() * square.size() + square.size(), free);
+        // Where several turn, the motion bends the way of one against another.
+        let several = self.scene.bodies.iter().filter(|body| body.turns).count() > 1;
+        let bends = if several { square.size() } else { 0.0 };
+        let all = beside(lead.0.size() + lead.1.size() * square.size() + bends, free);
         // Of a body on a pin its own terms measure them.
         let terms = if self.pinned.is_some() { self.terms(state) } else { all };
         let on = self.mechanism.adding_up(state, (response, square), false);
@@ -341,16 +370,18 @@ impl<T: Real> Teller<'_, '_, T> {
     }
 
     /// The powers of couples at this rate, with the couple that drives the leading body.
-    pub fn tell_powers(&mut self, state: &State<T>, rate: T, drive: Option<T>) {
+    pub fn tell_powers(&mut self, state: &State<T>, rate: T, drive: Option<(T, f64)>) {
         for body in 0..self.scene.bodies.len() {
             let drives = drive.filter(|_| body == self.mechanism.lead);
             // Of a driven body they are told together.
             let waits = drive.is_none()
                 && self.scene.bodies[body].planar.as_ref().is_some_and(|p| p.driven.is_some());
             let own = couple_on(self.scene, self.n, body);
-            if let Some(moment) = own.into_iter().chain(drives).reduce(T::balance).filter(|_| !waits) {
+            let size = drives.map_or(0.0, |(_, size)| size) + own.map_or(0.0, |own| own.size());
+            let moments = own.into_iter().chain(drives.map(|(moment, _)| moment));
+            if let Some(moment) = moments.reduce(T::balance).filter(|_| !waits) {
                 let turn = if self.pinned.is_some() { rate } else { self.mechanism.spin(state, body) * rate };
-                let fastest = moment.size() * f64::max(turn.size(), rate.size());
+                let fastest = size * f64::max(turn.size(), rate.size());
                 self.say_scaled(Quantity::PowerCouple, Owner::Body(body), moment * turn, fastest);
             }
         }
@@ -392,7 +423,8 @@ impl<T: Real> Teller<'_, '_, T> {
         let size = self.mechanism.size();
         let masses: f64 = self.n.bodies.iter().map(|b| b.mass.size()).sum();
         if size > 0.0 && self.pinned.is_none() {
-            self.drives() / size + masses * size * square.size()
+            let driven = self.scene.driven().map_or(0.0, |alpha| self.n.get(alpha).size());
+            self.drives() / size + masses * size * (square.size() + driven)
         } else {
             0.0
         }
@@ -413,7 +445,10 @@ impl<T: Real> Teller<'_, '_, T> {
             for f in &mut force {
                 *f = f.cleared(beside(f.size() + pulls, loads));
             }
-            let along = |i: usize| beside(mechanism.adding_to(state, (j, i), &on), pulls + loads);
+            // Where nothing adds up along it, what adds up across is left to measure it by.
+            let adding = |i: usize| mechanism.adding_to(state, (j, i), &on);
+            let whole = beside((0..force.len().min(2)).map(adding).sum(), pulls + loads);
+            let along = |i: usize| beside(adding(i), whole);
             let turning = |body: usize| (on[body][0] + on[body][1]) * pose::extent(scene, self.n, body);
             for (i, (quantity, force)) in quantities.iter().zip(&force).enumerate() {
                 let terms = if *quantity == Quantity::Moment {
@@ -432,7 +467,7 @@ impl<T: Real> Teller<'_, '_, T> {
                 self.say_scaled(Quantity::Friction, of, friction, along(0) * self.n.get(mu).size());
             }
             if let (&[x, y, ..], [_, Quantity::PinY, ..]) = (force.as_slice(), quantities) {
-                let terms = along(0) + along(1);
+                let terms = whole;
                 self.tell_along(state, response, square, [x, y], terms);
                 let force = (x.square() + y.square()).root();
                 self.say_scaled(Quantity::PinForce, of, force, terms);
@@ -441,6 +476,7 @@ impl<T: Real> Teller<'_, '_, T> {
                 }
             }
         }
+        self.watch_shares(state, (response, square), sliding, false);
         for (s, strut) in scene.struts.iter().enumerate() {
             let (of, force) = (Owner::Strut(s), mechanism.tension(state, s));
             let terms = force.size() + mechanism.measure(s);
