@@ -66,7 +66,7 @@ pub fn parse(text: &str) -> Result<Draw, (String, String)> {
 
 fn too_long() -> (String, String) {
     (
-        format!("these numbers have too many digits"),
+        "these numbers have too many digits".to_owned(),
         format!("at most {MAX_DIGITS} digits in all, counted to the last decimal"),
     )
 }
@@ -78,8 +78,8 @@ fn word<'t>(text: &'t str, start: &str) -> Option<&'t str> {
 fn number(text: &str) -> Result<Decimal, (String, String)> {
     Decimal::read(text).map_err(|why| {
         let hint = match why.contains("too many") {
-            true => format!("round it: the printed number is the number used"),
-            false => format!("write digits with a point, such as 0.30, without a unit"),
+            true => "round it: the printed number is the number used".to_owned(),
+            false => "write digits with a point, such as 0.30, without a unit".to_owned(),
         };
         (why, hint)
     })

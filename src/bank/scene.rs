@@ -619,9 +619,8 @@ impl SceneReader<'_> {
                 Some(s) => (s.slope, true),
                 None => {
                     let hint = if surfaces.is_empty() {
-                        format!(
-                            "name it under `surfaces`, for example `surfaces: {{incline: {{slope: theta}}}}`"
-                        )
+                        "name it under `surfaces`, for example `surfaces: {incline: {slope: theta}}`"
+                            .to_owned()
                     } else {
                         spell::hint(on, "surfaces", surfaces.iter().map(|s| s.name))
                     };

@@ -146,7 +146,7 @@ impl SheetProblem {
         }
         let data = bank.field_mut("problems").and_then(|p| p.field_mut(&self.id)?.field_mut("data"));
         let Some(Node { value: node::Value::Map(data), .. }) = data else {
-            return Err(Finding::new(path("scene"), format!("holds no data of this problem")).into());
+            return Err(Finding::new(path("scene"), "holds no data of this problem").into());
         };
         for (symbol, fields) in data {
             let symbol = symbol.text().unwrap_or_default();
@@ -159,7 +159,7 @@ impl SheetProblem {
                 (None, node::Value::Map(_)) => fields.set("draw", "none"),
                 _ => faults.push(Finding::new(
                     path(&format!("data.{symbol}")),
-                    format!("needs a value and a unit, as texts"),
+                    "needs a value and a unit, as texts",
                 )),
             }
         }

@@ -25,10 +25,8 @@ const fn along(body: usize) -> Coordinate {
 /// How the motion of a body ends that is pinned or moves in the plane.
 fn in_plane(body: &Body) -> String {
     match body.turns {
-        false => format!(
-            "a body that only slides leads no motion: end at the angle of one that turns (hinge it to a light rod, of `mass: 0 kg`), or \
-             let it move `vertically` or `along` a surface"
-        ),
+        false => "a body that only slides leads no motion: end at the angle of one that turns (hinge it to a light rod, of `mass: 0 kg`), or \
+             let it move `vertically` or `along` a surface".to_owned(),
         true => format!("write `angle: {{of: {}, reaches: phi1}}`", body.name),
     }
 }

@@ -69,9 +69,7 @@ impl SceneReader<'_> {
             Ok(value) => self.constant(node, text, value, need),
             Err(message) => {
                 let hint = match text.contains('(') || text.contains(" - ") || text.contains(" + ") {
-                    true => format!(
-                        "a number within an expression has no unit: make it a datum and write its symbol; angles count in radians there, as `pi/2 - x`"
-                    ),
+                    true => "a number within an expression has no unit: make it a datum and write its symbol; angles count in radians there, as `pi/2 - x`".to_owned(),
                     false => format!("{} is written like `{}`", need.words, need.example),
                 };
                 f.refuse_with(node, message, hint)
@@ -119,7 +117,7 @@ impl SceneReader<'_> {
             };
             let symbol = &self.symbols[datum];
             if symbol.absent {
-                return Err((format!("`{name}` is not drawn"), Some(format!("draw it, or leave it out"))));
+                return Err((format!("`{name}` is not drawn"), Some("draw it, or leave it out".to_owned())));
             }
             let powers = symbol.unit.as_ref().map_or([0; 3], measure::powers);
             Ok((Name::Datum(datum, false), powers))

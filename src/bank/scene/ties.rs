@@ -437,9 +437,7 @@ impl SceneReader<'_> {
                     if body.planar.is_some() {
                         let message =
                             format!("`{}` moves in the plane, where `ties` hold nothing", body.name);
-                        let hint = format!(
-                            "write a joint such as `cord: {{cord: A, to: [0 m, 2 m]}}`, or a force; a weight on a cord over a pulley is not solved there"
-                        );
+                        let hint = "write a joint such as `cord: {cord: A, to: [0 m, 2 m]}`, or a force; a weight on a cord over a pulley is not solved there";
                         return f.refuse_with(node, message, hint);
                     }
                     let message = format!("the centre of `{}` does not move", body.name);
