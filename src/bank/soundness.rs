@@ -301,7 +301,7 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
         (is(!scene.growths.is_empty()), "forces", "what moves in the plane has no forces that grow",
             "remove `growing by`, or let the bodies move on lines"),
         (is(speeds > 1 && (scene.end != End::AtOnce || scene.driven().is_some())), "start", "more than one speed is given at the start of joined bodies",
-            "give one speed or spin, from which the joints must give all others: what slips or turns freely beside it is solved `at once` alone, with a speed for each freedom"),
+            "give one speed or spin: the joints give the others; where they leave several freedoms, give one for each and write `end: at once`"),
         (is(arrives && (speeds > 0 || scene.carried.is_some())), "start", "a motion just before an impact stands beside another one",
             "give `arrives` alone: the joints take hold in the impact, and what moves after it follows"),
         (recoils.filter(|_| !arrives || scene.end != End::AtOnce), "joints", "`{}` has a restitution, and acts in an impact alone",

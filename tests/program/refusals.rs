@@ -1365,12 +1365,6 @@ fn a_refusal_tells_the_reason_that_is_there() {
             "error: p: nothing slows what turns here: every coefficient of friction is 0, and it never comes to rest. No answer is given.",
         ),
         (
-            "bodies: {drum: {mass: 20 kg, shape: {disc: x}, moves: in the plane}, lever: {mass: 2 kg, shape: {rod: 0.9 m}, moves: in the plane, points: {A: 0 m, C: 0.4 m, B: 0.9 m}}, roller: {mass: 1 kg, shape: {disc: 0.05 m}, moves: in the plane}}; joints: {axle: {pins: drum}, pivot: {pins: lever.A, at: [-0.4 m, 0.55 m]}, hub: {hinges: [lever.C, roller]}, shoe: {slides: roller, radius: 0.05 m, outside: x, on: drum, mu_k: 0.3}}; start: {drum: {spin: 10 rad/s}, roller: {spin: 0 rad/s}}; end: at once".to_owned(),
-            kinetic,
-            "error: bank.yaml:10:14: problems.p.scene.start: more than one speed is given at the start of joined bodies\n\
-             hint: give one speed or spin, from which the joints must give all others: what slips or turns freely beside it is not solved",
-        ),
-        (
             "surfaces: {hill: {slope: 45 deg}}; bodies: {ball: {mass: 2 kg, shape: {sphere: 0.1 m}, radii: {rim: 0.1 m}, moves: along hill, positive: down}}; ties: [rolls: {body: ball, on its: rim}]; start: at rest; end: {descent: {of: ball, by: x}}; next: {surfaces: {hill: {slope: -atan(x/x)}}, ties: [], end: {turning point: ball}}".to_owned(),
             "{value: abs(next.rise), ask: it, unit: m}",
             "error: p: in the motion that follows `-atan(x/x)` = -45 with x = 0.5 m: a slope is from 0 to 90 degrees; its line rises in the sense in which that of the motion before it does, so that no valley is written (places, angles and times count from the start of the whole)",
