@@ -97,6 +97,9 @@ pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
         CheckKind::NoSlip if matches!(scene.ties.get(c.of), Some(Tie::Slide { .. })) => {
             ok("stays", "slips_on")
         }
+        CheckKind::Pressed | CheckKind::Taut | CheckKind::HoldsBlow if c.available == f64::NEG_INFINITY => {
+            "shared"
+        }
         CheckKind::Pressed | CheckKind::Taut if joint.is_some() => ok("of_joint", "not_of_joint"),
         CheckKind::HoldsBlow if only_pushes => ok("pressed", "not_pressed"),
         CheckKind::HoldsBlow => ok("held", "not_held"),

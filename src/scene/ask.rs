@@ -59,6 +59,11 @@ macro_rules! quantities {
             Value,
         }
         impl Quantity {
+            /// Is it told of the mass centre of a body, or does it hang on where that lies?
+            pub const fn is_of_mass_centre(self) -> bool {
+                use Quantity as Q;
+                matches!(self, Q::V | Q::VX | Q::VY | Q::AX | Q::AY | Q::Rise | Q::AngularMomentum | Q::Impulse)
+            }
             /// All that the solvers give, in the order in which they are listed.
             pub const ALL: &'static [Quantity] = &[$(Quantity::$variant,)*];
             /// Name in banks, keys and JSON.
@@ -414,6 +419,13 @@ impl Scene {
     pub fn is_pendulum(&self) -> bool {
         self.couples.is_empty() && self.struts.is_empty() && self.pinned().is_some()
     }
+    /// Is a part of this body taken away?
+    pub fn has_hole(&self, body: usize) -> bool {
+        let welds = |joint: &Joint| matches!(joint.kind, JointKind::Hinge { turned_deg: Some(_), .. });
+        let mut welded =
+            self.joints.iter().filter(|joint| welds(joint) && joint.kind.spots().any(|s| s.body == body));
+        welded.any(|joint| joint.kind.spots().any(|spot| self.bodies[spot.body].removed))
+    }
     /// Does this body rest on wheels?
     pub fn rests(&self, body: usize) -> bool {
         let on_wheels = |c: &Cord| c.made == Made::Rests && c.from.body == body;
@@ -447,6 +459,13 @@ impl Scene {
             Owner::Joint(j) => self.joints[j].kind.spots().any(|spot| removed(spot.body)),
             _ => false,
         } {
+            return false;
+        }
+        // Where the mass centre of a body lies in which there is a hole, it alone does not say.
+        if let Owner::Body(b) = label.of
+            && label.quantity.is_of_mass_centre()
+            && self.has_hole(b)
+        {
             return false;
         }
         // How a load is shared by what bears it is not known.

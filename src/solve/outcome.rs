@@ -716,7 +716,8 @@ pub enum Held<P> {
     Open(usize),
     /// The contact of a body that is thrown with slip.
     Thrown(Throw),
-    /// A guide that can only push: index of the joint, least normal force on the way and the greatest magnitude, N.
+    /// A guide that can only push: index of the joint, least normal force on the way and the greatest magnitude, N; minus infinity of
+    /// one that shares with others a load that they cannot carry.
     Touching(usize, f64, f64),
     /// The same at a blow: its impulse and the sum of those that strike, N s.
     Jolted(usize, f64, f64),

@@ -186,8 +186,8 @@ pub type Steps<'s> = (Rung, &'s dyn Fn(Quantity) -> bool);
 /// May a road go by steps? Not in a page: what a sheet asks has a closed form or a quadrature, and its page is to be small.
 const STEPS: bool = cfg!(feature = "program");
 
-/// Kinetic friction is no smaller beside the terms of the balance of forces than this.
-const SLIDING: f64 = 40.0;
+/// What can be worked out by itself, such as kinetic friction, is judged beside terms that are at most so many times greater.
+const SMALL: f64 = 40.0;
 
 /// Where an acceleration is so many times smaller than that of the weight, the velocity ratios come from a unit force, not from
 /// the forces that nearly balance.
@@ -1297,7 +1297,7 @@ impl<'a, T: Real> Walk<'a, T> {
                     // Of what slides it is mu N; else it follows from the other forces.
                     let moves = self.along(*body).is_some_and(|c| !self.acceleration(c, pulls).is_zero());
                     let slides = moves && !matches!(tie, Tie::Roll { .. }) && !f.is_zero();
-                    let scale = if slides { terms.min(SLIDING * f.size()) } else { terms };
+                    let scale = if slides { terms.min(SMALL * f.size()) } else { terms };
                     self.say_scaled(Quantity::Friction, Owner::Body(*body), f.signed(self.up(*body)), scale);
                 }
                 Tie::Cord(c) => match c.to {

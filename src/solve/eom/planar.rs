@@ -25,6 +25,9 @@ use crate::solve::outcome::{self, Refusal};
 use smallvec::{SmallVec, smallvec};
 use std::cell::RefCell;
 
+/// A load of which no more than this share is lacking is carried.
+const SHARED: f64 = 1e-9;
+
 /// A point that is farther below a surface than this share of the size of everything has passed through it.
 const PIERCED: f64 = 1e-9;
 
@@ -1066,15 +1069,15 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let along = |end: &End<T>| (0..2).map(|i| end.along[i].size() * on[end.body][i]).sum();
         state.rows[self.held[joint] + i].loaded().map(along).fold(f64::INFINITY, f64::min)
     }
-    /// Where statics leaves open how joints that can only push or only pull share a load: the first of them, and what is lacking of that
-    /// load where each of them does so, N or N m, 0 where nothing is, beside all of it. `None` where none is open.
-    pub fn lacking(
+    /// The first of the joints that can only push or only pull and share a load in a way that statics leaves open, if they cannot carry
+    /// it: however they share it, one of them would have to do the other.
+    pub fn overloaded(
         &self,
         state: &State<T>,
         (response, square): (&Response<T>, T),
         sliding: &[f64],
         blow: bool,
-    ) -> Option<(usize, f64, f64)> {
+    ) -> Option<usize> {
         let rows = self.rubbing(state, sliding);
         let held = rows.iter().zip(&response.forces).enumerate();
         let sided = |i: usize, row: &Row<T>| {
@@ -1108,8 +1111,9 @@ impl<'a, T: Real> Mechanism<'a, T> {
                 }
             }
         }
-        let all = load.iter().map(|x| x.abs()).sum();
-        Some((rows[first].joint, shares::lacking(&columns, &load), all))
+        let all: f64 = load.iter().map(|x| x.abs()).sum();
+        let carried = shares::lacking(&columns, &load) <= SHARED * all;
+        (!carried).then_some(rows[first].joint)
     }
     /// Acceleration of a mass centre and of the turn at this square of the rate, or in a blow the jumps of their velocities.
     fn response_of(&self, response: &Response<T>, body: usize, square: T) -> [T; 3] {

@@ -6,7 +6,7 @@ use crate::num::{Dd, Real};
 use crate::scene::{End, Owner, Quantity, Ray, pose};
 use crate::solve::eom::couple_on;
 use crate::solve::eom::integrate::Event;
-use crate::solve::eom::joined::tell::beside;
+use crate::solve::eom::joined::tell::risen;
 use crate::solve::eom::joined::{Fine, Gain, Motion, Panel, Passes, Stop, Teller, Why};
 use crate::solve::eom::pendulum::Pendulum;
 use crate::solve::eom::planar::{Mechanism, Response, State};
@@ -228,7 +228,7 @@ impl<T: Real> Teller<'_, '_, T> {
         let arm = pose::along(self.n, planar.centre);
         let sunk = plant!("eom: height lost by the mass centre", arm) * product;
         let rise = if planar.from == Ray::Up { -sunk } else { sunk };
-        self.say_scaled(Quantity::Rise, of, rise, beside(rise.size(), arm.size()));
+        self.say_scaled(Quantity::Rise, of, rise, risen(rise.size(), 2.0 * arm.size()));
         if let Some(moment) = couple_on(self.scene, self.n, body) {
             self.say(Quantity::WorkCouple, of, moment.signed(sense) * way);
         }

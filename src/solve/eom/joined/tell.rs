@@ -4,9 +4,9 @@ use crate::num::plant::plant;
 use crate::num::{Dd, Real, gauss, root, trig};
 use crate::scene::pose::Obstacle;
 use crate::scene::{Acts, Label, Owner, Quantity, Spot, pose};
-use crate::solve::eom::couple_on;
 use crate::solve::eom::joined::{BESIDE, Fine, Gain, Motion, PUSHES, SHORT, SHORTEST, Teller, look};
 use crate::solve::eom::planar::{Response, State};
+use crate::solve::eom::{SMALL, couple_on};
 use crate::solve::outcome::{Course, Held, Refusal, Said};
 use smallvec::SmallVec;
 
@@ -15,9 +15,6 @@ const PIECES: f64 = 9.0;
 
 /// An equilibrium is indifferent whose stiffness is below this share of what forces could give it.
 const INDIFFERENT: f64 = 1e-9;
-
-/// A load of which no more than this share is lacking is carried.
-const SHARED: f64 = 1e-9;
 
 /// What accelerations are told of: the response, what adds up on each body to the right and up, and the terms of an angular one.
 type Accelerated<'r, T> = (&'r Response<T>, &'r [[f64; 2]], f64);
@@ -30,6 +27,11 @@ fn sizes<T: Real>(parts: &[T]) -> f64 {
 /// The terms of something: where they come to no more than rounding would leave of these loads, those are what cancels.
 pub fn beside(terms: f64, loads: f64) -> f64 {
     if loads.is_finite() && terms < f64::EPSILON * loads { loads } else { terms }
+}
+
+/// The terms of a rise, a difference of two heights that are no greater than this: it can be worked out from the energy, too.
+pub fn risen(rise: f64, height: f64) -> f64 {
+    beside(f64::min(SMALL * rise, height), height)
 }
 
 /// The slope of a function, by differences over ever smaller spans, from this one on, from which the error is extrapolated: what
@@ -62,9 +64,8 @@ impl<T: Real> Teller<'_, '_, T> {
     /// How far the mass centre of a body is above where it began.
     pub fn tell_risen(&mut self, body: usize, from: T, to: T) {
         let size = self.mechanism.size();
-        // Not the heights are its terms: they count from an origin, and a rise is worked out from the angle or from the energy.
         let rise = (to - from).cleared(size);
-        self.say_scaled(Quantity::Rise, Owner::Body(body), rise, beside(rise.size(), size));
+        self.say_scaled(Quantity::Rise, Owner::Body(body), rise, risen(rise.size(), size));
     }
 
     pub fn say(&mut self, quantity: Quantity, of: Owner, value: T) {
@@ -219,16 +220,14 @@ impl<T: Real> Teller<'_, '_, T> {
     pub fn watch_shares(
         &mut self,
         state: &State<T>,
-        (response, square): (&Response<T>, T),
+        response: (&Response<T>, T),
         sliding: &[f64],
         blow: bool,
     ) {
-        let lacking = self.mechanism.lacking(state, (response, square), sliding, blow);
-        if let Some((joint, lacks, all)) = lacking.filter(|(_, lacks, all)| !lacks.le(&(SHARED * all))) {
-            let quantity = if blow { Quantity::Impulse } else { Quantity::Normal };
-            let [lacks, all] = [lacks, all].map(|x| self.n.publish(quantity, T::of(x)).f64());
+        let told = self.road.held.iter().any(|held| matches!(held, Held::Touching(_, f64::NEG_INFINITY, _)));
+        if let Some(joint) = self.mechanism.overloaded(state, response, sliding, blow).filter(|_| !told) {
             let held = if blow { Held::Jolted } else { Held::Touching };
-            self.road.held.push(held(joint, -lacks, all));
+            self.road.held.push(held(joint, f64::NEG_INFINITY, 1.0));
         }
     }
 
