@@ -13,7 +13,6 @@ pub fn parse(text: &str) -> Result<Draw, (String, String)> {
         let d = number(rest)?;
         return Ok(Draw::Always { value: d.value, decimals: d.decimals });
     }
-    // On a sheet nothing is left to draw, and an unknown has a range.
     if let Some(rest) = word(text, "one of") {
         let list = rest.split(',').map(|t| number(t.trim())).collect::<Result<Vec<_>, _>>()?;
         let decimals = list.iter().map(|d| d.decimals).max().unwrap_or(0);

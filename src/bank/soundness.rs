@@ -5,7 +5,7 @@ use crate::bank::{Datum, Draw, TEMPLATE_NAMES, Variables};
 use crate::finding::Finding;
 use crate::scene::{
     Attach, Body, Coordinate, Cord, CordEnd, Degree, End, Far, Grows, Joint, JointKind, Made, Num,
-    RotaryInertia, Scene, Slope, Surface, Tie,
+    RotaryInertia, Scene, Slope, Strut, StrutEnd, Surface, Tie,
 };
 use crate::units::spell;
 
@@ -290,9 +290,18 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
         let weld = |kind| matches!(kind, JointKind::Hinge { turned_deg: Some(_), .. });
         own.next().is_some_and(weld) && own.next().is_none()
     };
-    let cut = (0..scene.bodies.len()).find(|b| scene.bodies[*b].removed && !welded(*b));
+    let holes = || (0..scene.bodies.len()).filter(|b| scene.bodies[*b].removed);
+    let cut = holes().find(|b| !welded(*b));
+    let acted = |b: &usize| {
+        let springs = |s: &Strut| s.at.body == *b || matches!(s.to, StrutEnd::Spot(to) if to.body == *b);
+        scene.pushes.iter().any(|push| push.at.body == *b)
+            || scene.couples.iter().any(|couple| couple.body == *b)
+            || scene.struts.iter().any(springs)
+            || scene.arrivals().any(|(body, _)| body == *b)
+    };
+    let acted = holes().find(acted);
     #[rustfmt::skip] // a table
-    let rules: [SceneRule; 18] = [
+    let rules: [SceneRule; 19] = [
         (named(|b| b.planar.is_none()), "", "`{}` does not move in the plane, and another body does",
             "write `moves: in the plane` for all of them, with joints"),
         (is(!scene.ties.is_empty()), "ties", "what moves in the plane is held by joints", "write `joints`"),
@@ -314,6 +323,8 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
             "write `outside: R, axis: [x, y], on: drum`, and for the drum `{pins: drum, at: [x, y]}` with the same numbers"),
         (cut.map(|b| scene.bodies[b].name.as_str()), "joints", "`{}` is taken away, and is not held by one weld alone",
             "weld it to that from which it is taken, as `hole: {welds: [disc.C, {}.A]}`; what holds that holds both"),
+        (acted.map(|b| scene.bodies[b].name.as_str()), "forces", "`{}` is taken away: nothing acts there, and nothing arrives",
+            "let it act on the body from which it is taken"),
         (rough.filter(|_| struck), "joints", "`{}` is rough, and an impulse acts: what friction does in a blow is not known",
             "remove `mu_k`"),
         (driven.map(|b| scene.bodies[b].name.as_str()), "start", "`{}` is driven, and its motion goes on",

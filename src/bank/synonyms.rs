@@ -1,5 +1,5 @@
 //! Other ways in which books say a thing, put into the one that scenes are read in, before they are. Sheets get what this makes of a
-//! bank, so that a page knows none of it.
+//! bank.
 use crate::bank::measure;
 use crate::bank::node::{Node, Value};
 

@@ -99,21 +99,18 @@ impl Dd {
         Self { hi: x, lo: 0.0 }
     }
     /// The exact sum of two doubles.
-    // A page is small, and the program is quick.
     #[inline(always)]
     pub fn sum(a: f64, b: f64) -> Self {
         let (hi, lo) = two_sum(a, b);
         Self { hi, lo }
     }
     /// The exact product of two doubles (barring overflow, and underflow of the small part).
-    // A page is small, and the program is quick.
     #[inline(always)]
     pub fn product(a: f64, b: f64) -> Self {
         let (hi, lo) = two_prod(a, b);
         Self { hi, lo }
     }
     /// Square root; 0 for a negative argument by rounding is the caller's business: NaN below 0.
-    // A page is small, and the program is quick.
     #[inline]
     pub fn sqrt(self) -> Self {
         // A relative comparison with zero would be wrong here: exactly zero is the only special case.
@@ -179,7 +176,6 @@ pub fn exponent(x: f64) -> i32 {
 
 impl Add for Dd {
     type Output = Dd;
-    // A page is small, and the program is quick.
     #[inline(always)]
     fn add(self, o: Dd) -> Dd {
         let (s, e) = two_sum(self.hi, o.hi);
@@ -191,7 +187,6 @@ impl Add for Dd {
 }
 impl Sub for Dd {
     type Output = Dd;
-    // A page is small, and the program is quick.
     #[inline(always)]
     fn sub(self, o: Dd) -> Dd {
         self + (-o)
@@ -206,7 +201,6 @@ impl Neg for Dd {
 }
 impl Mul for Dd {
     type Output = Dd;
-    // A page is small, and the program is quick.
     #[inline(always)]
     fn mul(self, o: Dd) -> Dd {
         let (p, e) = two_prod(self.hi, o.hi);
@@ -217,7 +211,6 @@ impl Mul for Dd {
 }
 impl Div for Dd {
     type Output = Dd;
-    // A page is small, and the program is quick.
     #[inline]
     fn div(self, o: Dd) -> Dd {
         let q1 = self.hi / o.hi;

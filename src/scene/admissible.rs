@@ -55,7 +55,7 @@ pub struct Inadmissible {
     pub value: f64,
     /// The rule that it breaks.
     pub rule: Rule,
-    /// Of an expression the data in it, by index, with their values; for messages, of which a page tells none.
+    /// Of an expression the data in it, by index, with their values, for messages.
     pub of: Vec<(usize, f64)>,
 }
 

@@ -727,7 +727,7 @@ impl<'a, T: Real> Layout<'a, T> {
         self.to_end_deg().map_or(turns, |apart| (apart * trig::radians_per_degree()).abs().larger(turns))
     }
     /// The first way in this sense, looked for up to `far`, on which a torsion spring comes to be wound by half a turn, from where it
-    /// is relaxed, or a load to its pulley. What a page solves comes to its end before.
+    /// is relaxed, or a load to its pulley.
     pub fn overruns(&self, relaxed: &[[T; 2]], sense: f64, far: (T, T)) -> Option<(T, Obstacle)> {
         let poses = |way: T| self.poses::<T>(way.signed(sense), false);
         let changes = |value: &dyn Fn(T) -> Option<T>| {

@@ -209,7 +209,17 @@ fn named(draft: &mut Draft, term: Term, others: &[(usize, Label, SymbolId)]) -> 
             found.map(|(.., symbol)| *symbol).ok_or(label)
         }
     };
-    symbol.map(|s| (s.into(), false)).map_err(|label| Beyond::Quantity(label.quantity).into())
+    let symbol = symbol.map_err(|label| Beyond::Quantity(label.quantity))?;
+    // A formula takes a quantity as it is asked by itself.
+    let sized = match term {
+        Term::Said(label) => draft.scene.is_magnitude(label),
+        Term::Other(i, label) => {
+            draft.scene.formulas.others.get(i).is_some_and(|(_, of)| of.is_magnitude(label))
+        }
+        Term::Given(_) => false,
+    };
+    let e = Expr::from(symbol);
+    Ok((if sized && e.value(&draft.symbols) < 0.0 { magnitude(e) } else { e }, false))
 }
 
 /// A datum in a formula.

@@ -356,7 +356,7 @@ fn compared(
         if entry.cond.is_nan() && !agree(eom, energy, 1.0) {
             entry.cond = condition::numbers(scene, data, course, std::slice::from_ref(entry))[0];
         }
-        // What no datum moves is a sum of its terms all the same.
+        // Numbers written into the scene are no data: of what no datum moves the terms tell how sensitive it is.
         let cond = if entry.cond == 0.0 { entry.scale / eom.abs() } else { entry.cond };
         if !agree(eom, energy, cond) {
             let allowed = 2.0 * EACH_ROAD * U * cond.max(1.0);

@@ -892,17 +892,22 @@ impl<T: Real> Road<T> {
             });
         }
         for (i, asked) in scene.formulas.asked.iter().enumerate() {
-            let said = |road: Option<&Self>, label: Label| {
+            // A formula takes a quantity as it is asked by itself: only its size where that alone counts.
+            let said = |road: Option<&Self>, scene: &Scene, label: Label| {
                 let said = road.and_then(|road| road.get(label));
-                said.map_or((T::of(f64::NAN), 0.0), |s| (s.value, s.scale))
+                let sized = |value: T| if scene.is_magnitude(label) { value.abs() } else { value };
+                said.map_or((T::of(f64::NAN), 0.0), |s| (sized(s.value), s.scale))
             };
             let (value, scale) = asked.formula.weighed(&|term: Term| match term {
                 Term::Given(given) => {
                     let value: T = given.value(data);
                     (value, value.size())
                 }
-                Term::Said(label) => said(Some(&self), label),
-                Term::Other(at, label) => said(others.get(at).and_then(Option::as_ref), label),
+                Term::Said(label) => said(Some(&self), scene, label),
+                Term::Other(at, label) => {
+                    let other = scene.formulas.others.get(at).map_or(scene, |(_, other)| other);
+                    said(others.get(at).and_then(Option::as_ref), other, label)
+                }
             });
             if value.is_finite() && scale.is_finite() {
                 let label = Label { quantity: asked.quantity, of: Owner::Asked(i) };

@@ -24,7 +24,7 @@ impl SceneReader<'_> {
         Some(num)
     }
 
-    /// Notes a radius as used. A page needs to know only what is used in degrees.
+    /// Notes a radius as used.
     pub(super) fn winds_on(&self, radius: Num) {
         let uses = &mut self.met.borrow_mut().uses;
         match radius {

@@ -520,7 +520,11 @@ impl<'a, T: Real> Account<'a, T> {
 
     /// What comparisons decide; where they leave it open and the motion is taken for granted, what that is then.
     fn unless_open<R>(&self, decided: impl Fn() -> R, granted: impl Fn() -> R) -> R {
-        if T::ENCLOSES && self.granted && ball::watch(&decided).1 { granted() } else { decided() }
+        if !(T::ENCLOSES && self.granted) {
+            return decided();
+        }
+        let (found, doubt) = ball::watch(&decided);
+        if doubt { granted() } else { found }
     }
 
     /// Solves equations: that rounding may leave open which of them repeat others is noted, and is no doubt which way it goes.
