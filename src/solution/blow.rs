@@ -44,6 +44,8 @@ pub struct Blow {
     after: Expr,
     /// Velocities that others give by the joints.
     held: Vec<SymbolId>,
+    /// Velocities that are 0 whatever the data.
+    idle: Vec<SymbolId>,
     /// The directions in which the velocities are told, where these are not to the right and up.
     frame: Option<[Vector; 2]>,
 }
@@ -128,10 +130,21 @@ impl Plane<'_, '_> {
         let bodies = std::mem::replace(&mut self.bodies, kept);
         let after = self.energy_of(&bodies, &told.held);
         let held = told.held.iter().map(|(s, _)| *s).collect();
-        let (told, before) = (told.paragraphs, scene.arrivals().next().map(|_| energy));
+        let (told, idle, before) = (told.paragraphs, told.idle, scene.arrivals().next().map(|_| energy));
         let frame = self.oblique.take();
-        self.blow =
-            Some(Blow { told, bodies, impulses, from_rest, together, steps, before, after, held, frame });
+        self.blow = Some(Blow {
+            told,
+            bodies,
+            impulses,
+            from_rest,
+            together,
+            steps,
+            before,
+            after,
+            held,
+            idle,
+            frame,
+        });
         (self.moves, self.here) = (moves, END);
         self.holds.clear();
         self.pulls.clear();
@@ -395,18 +408,25 @@ impl Plane<'_, '_> {
         let held = self.held_velocities(&demands, &velocities);
         let each = |s: &Sum| positive_first(s.terms().iter().map(Factors::expr));
         let mut paragraphs = Vec::new();
-        let moves = |(s, _): &&(SymbolId, Expr)| self.symbols.value(*s) != 0.0;
+        let mut balances = Vec::new();
+        for momentum in &chosen {
+            let (before, after) = self.balance_of(momentum);
+            balances.push((before, self.spelled(&after.expr(), &held, &velocities)));
+        }
+        let momenta = balances.iter().map(|(before, after)| after.plus(&before.opposite()));
+        let joined = held.iter().map(|(s, is)| self.spelled(&(is - Expr::from(*s)), &[], &velocities));
+        let equations = joined.chain(momenta).collect();
+        let idle = self.idle(equations, &velocities);
+        let moves = |(s, _): &&(SymbolId, Expr)| !idle.contains(s);
         let kept: Vec<Sides> = held.iter().filter(moves).map(|(s, is)| ((*s).into(), is.clone())).collect();
         if !kept.is_empty() {
             let name = if self.first == ZERO { "impact.held" } else { "impact.held_changes" };
             paragraphs.push((self.phrase(name, &[]), kept));
         }
         let mut rows: Vec<Sum> = Vec::new();
-        for momentum in &chosen {
-            let (before, after) = self.balance_of(momentum);
-            let after = self.spelled(&after.expr(), &held, &velocities);
+        for (momentum, (before, after)) in chosen.iter().zip(balances) {
             // What neither comes nor goes is not told.
-            if self.value(&after.expr()) != 0.0 {
+            if after.expr().uses().iter().any(|s| velocities.contains(s) && !idle.contains(s)) {
                 paragraphs.push((self.says(momentum), vec![(each(&before), each(&after))]));
             }
             rows.push(after.plus(&before.opposite()));
@@ -425,7 +445,31 @@ impl Plane<'_, '_> {
             self.page.step(*symbol, is.clone());
         }
         self.impulses_from(&held, &velocities);
-        Some(Told { paragraphs, held, solved: false })
+        Some(Told { paragraphs, held, idle, solved: false })
+    }
+    /// Velocities that one of these equations, sums that are 0, says alone to be 0, beside others of which that is known.
+    fn idle(&mut self, equations: Vec<Sum>, velocities: &[SymbolId]) -> Vec<SymbolId> {
+        let still: Vec<SymbolId> =
+            velocities.iter().copied().filter(|v| self.symbols.value(*v) == 0.0).collect();
+        // What counts is a factor of a velocity, not the velocity.
+        still.iter().for_each(|v| self.symbols.place(*v, 1.0));
+        let own = |t: &Expr| t.uses().into_iter().find(|s| velocities.contains(s));
+        let counts = |sum: &Sum| -> Vec<Option<SymbolId>> {
+            let terms = sum.terms().iter().map(Factors::expr);
+            terms.filter(|t| self.value(t).abs() > NOTHING).map(|t| own(&t)).collect()
+        };
+        let rows: Vec<Vec<Option<SymbolId>>> = equations.iter().map(counts).collect();
+        still.iter().for_each(|v| self.symbols.place(*v, 0.0));
+        let mut idle = Vec::new();
+        let alone = |row: &Vec<Option<SymbolId>>, idle: &[SymbolId]| {
+            let mut open = row.iter().copied().filter(|s| s.is_none_or(|s| !idle.contains(&s)));
+            let first = open.next()??;
+            open.all(|s| s == Some(first)).then_some(first).filter(|s| still.contains(s))
+        };
+        while let Some(symbol) = rows.iter().find_map(|row| alone(row, &idle)) {
+            idle.push(symbol);
+        }
+        idle
     }
     /// What it is of, and why no unknown impulse counts.
     fn says(&self, Momentum { bodies, of }: &Momentum) -> String {
@@ -541,7 +585,7 @@ impl Plane<'_, '_> {
             let shown = if many && self.detail != Detail::Full { Vec::new() } else { demands };
             paragraphs.push((sentence, shown));
         }
-        Told { paragraphs, held: Vec::new(), solved: true }
+        Told { paragraphs, held: Vec::new(), idle: Vec::new(), solved: true }
     }
 
     // -- what is told -----------------------------------------------------------------------------------------------------
@@ -582,9 +626,13 @@ impl Plane<'_, '_> {
             let asked = blow.bodies.iter().position(own).is_none_or(|b| asked.contains(&b));
             asked || matches!(step.from, Expr::Sum(_))
         };
+        let velocity = |s: &SymbolId| blow.bodies.iter().any(|b| b.a.contains(s) || b.alpha == Some(*s));
         let told = |step: &&Step| {
             let moves = self.symbols.value(step.symbol) != 0.0;
-            moves && (!blow.held.contains(&step.symbol) || self.scene.end == End::AtOnce && owned(step))
+            let stops =
+                blow.together.is_empty() && velocity(&step.symbol) && !blow.idle.contains(&step.symbol);
+            (moves || stops)
+                && (!blow.held.contains(&step.symbol) || self.scene.end == End::AtOnce && owned(step))
         };
         let steps = blow.steps.iter().filter(told);
         let all: Vec<(SymbolId, Expr)> =
@@ -708,11 +756,9 @@ impl Plane<'_, '_> {
         };
         Some(self.page.find_once(&names, label.quantity.unit(), is))
     }
-    /// An expression without the velocities that are 0.
+    /// An expression without the velocities that are 0 whatever the data.
     fn moving(&self, blow: &Blow, of: &Expr) -> Expr {
-        let velocities = blow.bodies.iter().flat_map(|b| b.a.into_iter().chain(b.alpha));
-        let none = velocities.filter(|v| self.symbols.value(*v) == 0.0);
-        none.fold(of.clone(), |all, v| all.put(v, &ZERO))
+        blow.idle.iter().fold(of.clone(), |all, v| all.put(*v, &ZERO))
     }
     /// A quantity, or 0 where it is that.
     fn unless_zero(&self, symbol: SymbolId) -> Expr {
@@ -755,6 +801,8 @@ struct Told {
     paragraphs: Vec<Paragraph>,
     /// Velocities that others give by the joints.
     held: Held,
+    /// Velocities that are 0 whatever the data.
+    idle: Vec<SymbolId>,
     /// Were its equations solved together?
     solved: bool,
 }
