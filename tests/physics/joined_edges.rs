@@ -630,11 +630,7 @@ fn every_joint_of_every_scene_holds() {
                     let (to, from, normal) = match joint.kind {
                         JointKind::Pin { at, place_m } => (place(at), pose::ground(&numbers, place_m), None),
                         JointKind::Hinge { one, other, .. } => (place(one), place(other), None),
-                        JointKind::Guide {
-                            at,
-                            line: Straight { on: None, through_m, direction_deg },
-                            ..
-                        } => {
+                        JointKind::Guide { at, line: Straight { on: None, through_m, direction_deg }, .. } => {
                             let [c, s] = pose::direction(&numbers, direction_deg);
                             (place(at), pose::ground(&numbers, through_m), Some([-s, c]))
                         }
