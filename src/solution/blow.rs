@@ -1,6 +1,7 @@
 //! Blows and impacts: the velocities that bodies have right after them. Forces are unknown while they last, and energy may be lost;
 //! so each equation is the momentum of some of the bodies in a direction, or their angular momentum about a point, for which no
 //! unknown impulse counts. What the joints demand of the velocities, and how points part again, are the other equations.
+use crate::num::shown;
 use crate::scene::{End, JointKind, Label, Owner, Quantity, Spot};
 use crate::solution::draft::Detail;
 use crate::solution::expr::{
@@ -22,6 +23,9 @@ const FEW: usize = 4;
 const CHOICES: usize = 4;
 /// How much heavier or lighter a body is taken that is thought to have nearly all of the mass, or none.
 const EXTREME: f64 = 1e9;
+
+/// A share that is lost has so many figures at most.
+const FIGURES_OF_SHARE: usize = 9;
 
 /// What blows do at an instant.
 #[derive(Debug, Clone)]
@@ -276,7 +280,8 @@ impl Plane<'_, '_> {
         }
         for body in 0..self.bodies.len() {
             let centre = self.centre(body);
-            all.push((self.seen(&centre), "$G$".to_owned()));
+            let name = tagged("G", &self.bodies[body].tag);
+            all.push((self.seen(&centre), format!("${name}$")));
         }
         all
     }
@@ -408,6 +413,13 @@ impl Plane<'_, '_> {
         let held = self.held_velocities(&demands, &velocities);
         let each = |s: &Sum| positive_first(s.terms().iter().map(Factors::expr));
         let mut paragraphs = Vec::new();
+        if let Some([along, across]) = self.oblique.clone() {
+            let [t, n] = [along, across].map(|unit| {
+                let [x, y] = unit.map(|x| self.value(&x.expr()));
+                format!(r"${}^\circ$", self.digits(y.atan2(x).to_degrees().rem_euclid(360.0), 4))
+            });
+            paragraphs.push((self.phrase("impact.directions", &[("t", &t), ("n", &n)]), Vec::new()));
+        }
         let mut balances = Vec::new();
         for momentum in &chosen {
             let (before, after) = self.balance_of(momentum);
@@ -594,6 +606,10 @@ impl Plane<'_, '_> {
     pub fn impact(&self) -> bool {
         self.blow.as_ref().is_some_and(|b| b.before.is_some())
     }
+    /// Is there no choice of momenta without unknown impulses that would do?
+    pub fn entangled(&self) -> bool {
+        self.blow.as_ref().is_some_and(|b| !b.together.is_empty())
+    }
     /// Is an impulse of a joint asked?
     pub fn asks_impulses(&self) -> bool {
         self.needed().iter().any(|label| is_impulse(label.quantity))
@@ -662,12 +678,16 @@ impl Plane<'_, '_> {
         if lost > 0.0 {
             let lost = self.page.find(&[r"\Delta E", "E_v"], "J", first - last);
             let share = 100.0 * self.symbols.value(lost) / self.symbols.value(first);
-            let percent = self.digits(share, 2);
+            // What is left keeps it below 100 %.
+            let whole = |n: &usize| share < 100.0 && shown::significant(share, *n) == "100";
+            let figures = (2..FIGURES_OF_SHARE).find(|n| !whole(n)).unwrap_or(FIGURES_OF_SHARE);
+            let percent = self.digits(share, figures);
             self.tell_new();
             self.say("impact.lost", &[("percent", &percent)]);
         } else {
             self.tell_new();
-            self.say("impact.kept", &[]);
+            let parts = self.scene.restitution.is_some();
+            self.say(if parts { "impact.kept" } else { "impact.kept_joined" }, &[]);
         }
         let [before, after] = [&before, &blow.after].map(|e| self.page.expanded(e));
         // Where all was solved for together no formula tells what else would come out.
@@ -693,7 +713,12 @@ impl Plane<'_, '_> {
             });
             let factor = ONE + Expr::from(e);
             let pieces: Pieces = &[("factor", &factor), ("what", &symbol), ("soft", &soft), ("hard", &hard)];
-            self.say("impact.limits_e", pieces);
+            let name = match own {
+                0.0 => "impact.limits_soft",
+                1.0 => "impact.limits_hard",
+                _ => "impact.limits_e",
+            };
+            self.say(name, pieces);
             return Ok(());
         }
         let mut arrives =

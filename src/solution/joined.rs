@@ -45,11 +45,16 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             Some((_, e)) => {
                 let e = self.number(e, "e", "1");
                 self.say("impact.idea", &[]);
+                self.say(if self.entangled() { "impact.idea_each" } else { "impact.idea_free" }, &[]);
                 self.say("impact.idea_parts", &[("e", &e)]);
             }
             None => {
                 self.say("impact.idea", &[]);
-                self.say("impact.idea_stays", &[]);
+                let names = match self.entangled() {
+                    true => ["impact.stays", "impact.idea_each"],
+                    false => ["impact.idea_free", "impact.idea_stays"],
+                };
+                names.into_iter().for_each(|name| self.say(name, &[]));
             }
         }
         let name = match self.scene.end {
@@ -212,8 +217,11 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
     fn onward(&self) -> &'static str {
         match self.scene.end {
             End::Equilibrium => "joined.onward_rest",
-            End::AtOnce if self.impact() && self.scene.restitution.is_some() => "impact.onward",
-            _ if self.impact() && !self.asks_impulses() => "impact.onward_stays",
+            End::AtOnce if self.impact() && self.scene.restitution.is_some() => {
+                let e = self.scene.restitution.map_or(1.0, |(_, e)| self.datum(e));
+                if e == 0.0 { "impact.onward_soft" } else { "impact.onward" }
+            }
+            _ if self.impact() && !self.asks_impulses() && !self.entangled() => "impact.onward_stays",
             End::AtOnce if self.impact() => "onward.other",
             End::AtOnce if self.pivot.is_some() && self.jolts() => "pinned.onward_struck",
             End::AtOnce if self.blow.is_some() => "joined.onward_struck",

@@ -742,6 +742,12 @@ fn what_an_impact_loses_is_told_as_it_is() {
             // A heavy bullet loses what it brings along the rod alone, sin^2 of 30 degrees.
             let text = solution(bullet, &other, language);
             assert!(text.contains(" 100 %") && text.contains(" 25 %"), "{text}");
+            // A light one all but a little: the share that is kept, by the angular momentum about the pin.
+            let [m, rod] = ["m", "M"].map(|name| datum(bullet, &other, name));
+            let kept = 0.75 * m * 0.75f64.powi(2) / (rod / 3.0 + m * 0.75f64.powi(2));
+            let lost =
+                language.0.get("solution.impact.lost").replace("{percent}", &digits(100.0 - 100.0 * kept, 3));
+            assert!(kept < 0.005 && text.replace("{,}", ".").contains(&lost), "{lost}: {text}");
         }
     }
 }
@@ -791,7 +797,7 @@ fn what_an_impact_brings_to_rest_is_told() {
                     r"$E_s = 0\ \mathrm{J}$",
                     r"\Delta E = E_0 - E_s = 4.000\ ",
                 ],
-                "hard" => &[r"v_{Axs} = 0\ \mathrm{m}/\mathrm{s}", r"v_{Bxs} = v_{Axs} + ", "= 2.000"],
+                "hard" => &[r"v_0\,(1 - e) = 0\ \mathrm{m}/\mathrm{s}", r"v_{Bxs} = v_{Axs} + ", "= 2.000"],
                 _ => &[r"+ \omega_{A\Delta} = 1.067\ \mathrm{rad}/\mathrm{s}"],
             };
             for told in told {
@@ -817,6 +823,34 @@ fn what_turns_on_the_spot_has_its_acceleration_from_a_line() {
         let [line, used] =
             [r"\alpha_{D} = -\frac{2\,\mu\,N", r"\Delta \phi = -\frac"].map(|of| text.find(of));
         assert!(line.is_some() && line < used, "{line:?} {used:?}: {text}");
+    }
+}
+
+/// How an impact is told is what its equations are: the directions of the indices, whether unknown impulses are in all equations, and
+/// no question about what has been printed.
+#[test]
+fn an_impact_says_what_its_equations_are() {
+    let bank = bank(include_str!("../worked/impacts-and-slots.yaml"));
+    for (id, said, unsaid) in [
+        ("pucks", &["directions", "idea_free", "onward"][..], &["idea_each", "onward_soft"][..]),
+        ("jerked", &["idea_each", "stays"], &["idea_free", "onward_stays"]),
+        ("bullet", &["idea_free", "idea_stays"], &["idea_each"]),
+    ] {
+        let problem = bank.problems.iter().find(|p| p.id == id).expect("it is there");
+        let variant = Maker::new(problem, 1, "told").variant("0").unwrap_or_else(|u| panic!("{u}"));
+        for language in &languages() {
+            let text = solution(problem, &variant, language).replace("{,}", ".");
+            let sentence = |name: &&str| {
+                let [t, n] = [0.0, 90.0].map(|more| match id {
+                    "pucks" => slipstick::num::shown::significant(datum(problem, &variant, "t") + more, 4),
+                    _ => String::new(),
+                });
+                let phrase = language.0.get(&format!("solution.impact.{name}"));
+                phrase.replace("{t}", &format!(r"${t}^\circ$")).replace("{n}", &format!(r"${n}^\circ$"))
+            };
+            said.iter().map(sentence).for_each(|s| assert!(text.contains(&s), "{s}: {text}"));
+            unsaid.iter().map(sentence).for_each(|s| assert!(!text.contains(&s), "{s}: {text}"));
+        }
     }
 }
 
