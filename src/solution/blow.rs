@@ -390,7 +390,7 @@ impl Plane<'_, '_> {
     fn held_velocities(&self, demands: &[Sides], velocities: &[SymbolId]) -> Held {
         let mut held = Held::new();
         for (l, r) in demands {
-            let row = self.spelled(&(l - r), &held, velocities);
+            let row = Self::spelled(&(l - r), &held);
             let mut unknown: Vec<SymbolId> = row.expr().uses();
             unknown.retain(|s| velocities.contains(s));
             let turns = |s: &SymbolId| self.bodies.iter().any(|b| b.alpha == Some(*s));
@@ -398,7 +398,7 @@ impl Plane<'_, '_> {
             let found = unknown.into_iter().find_map(|s| Some((s, self.solve_for(&row, s)?)));
             if let Some(found) = found {
                 for (_, is) in &mut held {
-                    *is = self.spelled(is, std::slice::from_ref(&found), velocities).expr();
+                    *is = Self::spelled(is, std::slice::from_ref(&found)).expr();
                 }
                 held.push(found);
             }
@@ -423,10 +423,10 @@ impl Plane<'_, '_> {
         let mut balances = Vec::new();
         for momentum in &chosen {
             let (before, after) = self.balance_of(momentum);
-            balances.push((before, self.spelled(&after.expr(), &held, &velocities)));
+            balances.push((before, Self::spelled(&after.expr(), &held)));
         }
         let momenta = balances.iter().map(|(before, after)| after.plus(&before.opposite()));
-        let joined = held.iter().map(|(s, is)| self.spelled(&(is - Expr::from(*s)), &[], &velocities));
+        let joined = held.iter().map(|(s, is)| Self::spelled(&(is - Expr::from(*s)), &[]));
         let equations = joined.chain(momenta).collect();
         let idle = self.idle(equations, &velocities);
         let moves = |(s, _): &&(SymbolId, Expr)| !idle.contains(s);
@@ -444,7 +444,7 @@ impl Plane<'_, '_> {
             rows.push(after.plus(&before.opposite()));
         }
         if let (Some((l, r)), Some((_, e))) = (parting, self.scene.restitution) {
-            let (l, r) = (self.spelled(&l, &held, &velocities), Sum::of(r.terms().iter().map(Factors::of)));
+            let (l, r) = (Self::spelled(&l, &held), Sum::of(r.terms().iter().map(Factors::of)));
             let (e, sense) = (self.number(e, "e", "1"), if self.value(&r.expr()) < 0.0 { -1 } else { 1 });
             let name = if e == ZERO { "impact.plastic" } else { "impact.parting" };
             let sides = (each(&l.signed(sense)), each(&r.signed(sense)));
@@ -456,7 +456,7 @@ impl Plane<'_, '_> {
         for (symbol, is) in &held {
             self.page.step(*symbol, is.clone());
         }
-        self.impulses_from(&held, &velocities);
+        self.impulses_from(&held);
         Some(Told { paragraphs, held, idle, solved: false })
     }
     /// Velocities that one of these equations, sums that are 0, says alone to be 0, beside others of which that is known.
@@ -506,13 +506,12 @@ impl Plane<'_, '_> {
         let bodies = if several { format!(" ({})", names.join(", ")) } else { String::new() };
         self.phrase(name, &[("point", &point), ("bodies", &bodies), ("why", &why)])
     }
-    /// An expression with these put in, multiplied out where a sum holds one of these symbols or an angle.
-    fn spelled(&self, of: &Expr, known: &[(SymbolId, Expr)], symbols: &[SymbolId]) -> Sum {
+    /// An expression with these put in, multiplied out, so that what is alike is collected.
+    fn spelled(of: &Expr, known: &[(SymbolId, Expr)]) -> Sum {
         let put = known.iter().fold(of.clone(), |all, (symbol, is)| all.put(*symbol, is));
         let mut terms: Vec<Factors> = put.terms().iter().map(Factors::of).collect();
-        let angles: Vec<SymbolId> = put.uses().into_iter().filter(|s| self.symbols.is_degrees(*s)).collect();
-        for symbol in symbols.iter().chain(&angles) {
-            terms = terms.iter().flat_map(|t| t.spread(*symbol)).collect();
+        for symbol in put.uses() {
+            terms = terms.iter().flat_map(|t| t.spread(symbol)).collect();
         }
         Sum::of(terms)
     }
@@ -531,7 +530,6 @@ impl Plane<'_, '_> {
     }
     /// Takes the open velocities out of the equations, sums that are 0, one after the other, and notes how each follows.
     fn eliminate(&mut self, mut rows: Vec<Sum>, mut open: Vec<SymbolId>) -> Option<()> {
-        let all = open.clone();
         let (mut first, mut last) = (Vec::new(), Vec::new());
         while !open.is_empty() {
             let unknown = |row: &Sum| -> Vec<SymbolId> {
@@ -549,7 +547,7 @@ impl Plane<'_, '_> {
             if alone {
                 first.push((symbol, is));
             } else {
-                let put = |row: &Sum| self.spelled(&row.expr(), &[(symbol, is.clone())], &all);
+                let put = |row: &Sum| Self::spelled(&row.expr(), &[(symbol, is.clone())]);
                 rows = rows.iter().map(put).collect();
                 last.insert(0, (symbol, is));
             }
@@ -560,7 +558,7 @@ impl Plane<'_, '_> {
         Some(())
     }
     /// The impulses of joints that are asked, from the momenta of single bodies.
-    fn impulses_from(&mut self, held: &[(SymbolId, Expr)], velocities: &[SymbolId]) {
+    fn impulses_from(&mut self, held: &[(SymbolId, Expr)]) {
         let labels = self.needed();
         let joints: Vec<Owner> =
             labels.iter().filter(|l| is_impulse(l.quantity)).map(|label| label.of).collect();
@@ -568,7 +566,7 @@ impl Plane<'_, '_> {
         let wanted: Vec<SymbolId> = wanted.map(|h| h.unknown).collect();
         let mut rows = Vec::new();
         for (l, r) in (0..self.bodies.len()).flat_map(|b| self.equations(b)) {
-            let r = self.spelled(&r, held, velocities);
+            let r = Self::spelled(&r, held);
             let r = positive_first(r.terms().iter().map(Factors::expr));
             rows.push(Row { at: 0, name: String::new(), sides: (l, r), told: true });
         }

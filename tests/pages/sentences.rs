@@ -742,6 +742,8 @@ fn what_an_impact_loses_is_told_as_it_is() {
             // A heavy bullet loses what it brings along the rod alone, sin^2 of 30 degrees.
             let text = solution(bullet, &other, language);
             assert!(text.contains(" 100 %") && text.contains(" 25 %"), "{text}");
+            // Where it stays it is told by its place on the rod alone.
+            assert!(text.contains(r"v_{Bxs} = \omega_{Rs}\,b_{R}$"), "{text}");
             // A light one all but a little: the share that is kept, by the angular momentum about the pin.
             let [m, rod] = ["m", "M"].map(|name| datum(bullet, &other, name));
             let kept = 0.75 * m * 0.75f64.powi(2) / (rod / 3.0 + m * 0.75f64.powi(2));
@@ -777,7 +779,18 @@ fn brought_to_rest() -> Bank {
             "  {id}:\n    title: P\n    statement: x\n    data: {{m: {{name: m, unit: kg, draw: always 1}}}}\n    {scene}\n"
         )
     };
-    let all = [("soft", hit(0, 2)), ("hard", hit(1, 0)), ("swings", swings.to_owned())];
+    let alike = "scene:
+      bodies: {a: {mass: 4 kg, shape: {rod: 1 m}, moves: in a horizontal plane, angle: from right, placed: [0 m, 0 m]}, b: {mass: m, moves: in a horizontal plane}}
+      joints: {K: {welds: [a.B, b]}}
+      start: {a: {angle: 0 deg, arrives: {speed: 2 m/s, direction: up}}, b: {arrives: {speed: 2 m/s, direction: up}}}
+      end: at once
+    questions: {v: {quantity: b.v, ask: v}}";
+    let all = [
+        ("alike", alike.to_owned()),
+        ("soft", hit(0, 2)),
+        ("hard", hit(1, 0)),
+        ("swings", swings.to_owned()),
+    ];
     let all: String = all.iter().map(|(id, scene)| problem(id, scene)).collect();
     bank(&format!("bank: b\ntitle: B\nproblems:\n{all}"))
 }
@@ -791,6 +804,7 @@ fn what_an_impact_brings_to_rest_is_told() {
         for language in &languages() {
             let text = solution(problem, &variant, language).replace("{,}", ".");
             let told: &[&str] = match problem.id.as_str() {
+                "alike" => &[language.0.get("solution.impact.kept_joined")],
                 "soft" => &[
                     r"$0 = m\,v_{Axs} + m\,v_{Bxs}$",
                     r"$v_{Axs} = 0\ \mathrm{m}/\mathrm{s}",
