@@ -1,6 +1,7 @@
 //! Blows and impacts: the velocities that bodies have right after them. Forces are unknown while they last, and energy may be lost;
 //! so each equation is the momentum of some of the bodies in a direction, or their angular momentum about a point, for which no
 //! unknown impulse counts. What the joints demand of the velocities, and how points part again, are the other equations.
+use crate::num::shown;
 use crate::scene::{End, JointKind, Label, Owner, Quantity, Spot};
 use crate::solution::draft::Detail;
 use crate::solution::expr::{
@@ -23,6 +24,9 @@ const CHOICES: usize = 4;
 /// How much heavier or lighter a body is taken that is thought to have nearly all of the mass, or none.
 const EXTREME: f64 = 1e9;
 
+/// A share that is lost has so many figures at most.
+const FIGURES_OF_SHARE: usize = 9;
+
 /// What blows do at an instant.
 #[derive(Debug, Clone)]
 pub struct Blow {
@@ -44,6 +48,8 @@ pub struct Blow {
     after: Expr,
     /// Velocities that others give by the joints.
     held: Vec<SymbolId>,
+    /// Velocities that are 0 whatever the data.
+    idle: Vec<SymbolId>,
     /// The directions in which the velocities are told, where these are not to the right and up.
     frame: Option<[Vector; 2]>,
 }
@@ -128,10 +134,21 @@ impl Plane<'_, '_> {
         let bodies = std::mem::replace(&mut self.bodies, kept);
         let after = self.energy_of(&bodies, &told.held);
         let held = told.held.iter().map(|(s, _)| *s).collect();
-        let (told, before) = (told.paragraphs, scene.arrivals().next().map(|_| energy));
+        let (told, idle, before) = (told.paragraphs, told.idle, scene.arrivals().next().map(|_| energy));
         let frame = self.oblique.take();
-        self.blow =
-            Some(Blow { told, bodies, impulses, from_rest, together, steps, before, after, held, frame });
+        self.blow = Some(Blow {
+            told,
+            bodies,
+            impulses,
+            from_rest,
+            together,
+            steps,
+            before,
+            after,
+            held,
+            idle,
+            frame,
+        });
         (self.moves, self.here) = (moves, END);
         self.holds.clear();
         self.pulls.clear();
@@ -263,7 +280,8 @@ impl Plane<'_, '_> {
         }
         for body in 0..self.bodies.len() {
             let centre = self.centre(body);
-            all.push((self.seen(&centre), "$G$".to_owned()));
+            let name = tagged("G", &self.bodies[body].tag);
+            all.push((self.seen(&centre), format!("${name}$")));
         }
         all
     }
@@ -372,7 +390,7 @@ impl Plane<'_, '_> {
     fn held_velocities(&self, demands: &[Sides], velocities: &[SymbolId]) -> Held {
         let mut held = Held::new();
         for (l, r) in demands {
-            let row = self.spelled(&(l - r), &held, velocities);
+            let row = Self::spelled(&(l - r), &held);
             let mut unknown: Vec<SymbolId> = row.expr().uses();
             unknown.retain(|s| velocities.contains(s));
             let turns = |s: &SymbolId| self.bodies.iter().any(|b| b.alpha == Some(*s));
@@ -380,7 +398,7 @@ impl Plane<'_, '_> {
             let found = unknown.into_iter().find_map(|s| Some((s, self.solve_for(&row, s)?)));
             if let Some(found) = found {
                 for (_, is) in &mut held {
-                    *is = self.spelled(is, std::slice::from_ref(&found), velocities).expr();
+                    *is = Self::spelled(is, std::slice::from_ref(&found)).expr();
                 }
                 held.push(found);
             }
@@ -395,24 +413,38 @@ impl Plane<'_, '_> {
         let held = self.held_velocities(&demands, &velocities);
         let each = |s: &Sum| positive_first(s.terms().iter().map(Factors::expr));
         let mut paragraphs = Vec::new();
-        let moves = |(s, _): &&(SymbolId, Expr)| self.symbols.value(*s) != 0.0;
+        if let Some([along, across]) = self.oblique.clone() {
+            let [t, n] = [along, across].map(|unit| {
+                let [x, y] = unit.map(|x| self.value(&x.expr()));
+                format!(r"${}^\circ$", self.digits(y.atan2(x).to_degrees().rem_euclid(360.0), 4))
+            });
+            paragraphs.push((self.phrase("impact.directions", &[("t", &t), ("n", &n)]), Vec::new()));
+        }
+        let mut balances = Vec::new();
+        for momentum in &chosen {
+            let (before, after) = self.balance_of(momentum);
+            balances.push((before, Self::spelled(&after.expr(), &held)));
+        }
+        let momenta = balances.iter().map(|(before, after)| after.plus(&before.opposite()));
+        let joined = held.iter().map(|(s, is)| Self::spelled(&(is - Expr::from(*s)), &[]));
+        let equations = joined.chain(momenta).collect();
+        let idle = self.idle(equations, &velocities);
+        let moves = |(s, _): &&(SymbolId, Expr)| !idle.contains(s);
         let kept: Vec<Sides> = held.iter().filter(moves).map(|(s, is)| ((*s).into(), is.clone())).collect();
         if !kept.is_empty() {
             let name = if self.first == ZERO { "impact.held" } else { "impact.held_changes" };
             paragraphs.push((self.phrase(name, &[]), kept));
         }
         let mut rows: Vec<Sum> = Vec::new();
-        for momentum in &chosen {
-            let (before, after) = self.balance_of(momentum);
-            let after = self.spelled(&after.expr(), &held, &velocities);
+        for (momentum, (before, after)) in chosen.iter().zip(balances) {
             // What neither comes nor goes is not told.
-            if self.value(&after.expr()) != 0.0 {
+            if after.expr().uses().iter().any(|s| velocities.contains(s) && !idle.contains(s)) {
                 paragraphs.push((self.says(momentum), vec![(each(&before), each(&after))]));
             }
             rows.push(after.plus(&before.opposite()));
         }
         if let (Some((l, r)), Some((_, e))) = (parting, self.scene.restitution) {
-            let (l, r) = (self.spelled(&l, &held, &velocities), Sum::of(r.terms().iter().map(Factors::of)));
+            let (l, r) = (Self::spelled(&l, &held), Sum::of(r.terms().iter().map(Factors::of)));
             let (e, sense) = (self.number(e, "e", "1"), if self.value(&r.expr()) < 0.0 { -1 } else { 1 });
             let name = if e == ZERO { "impact.plastic" } else { "impact.parting" };
             let sides = (each(&l.signed(sense)), each(&r.signed(sense)));
@@ -424,8 +456,32 @@ impl Plane<'_, '_> {
         for (symbol, is) in &held {
             self.page.step(*symbol, is.clone());
         }
-        self.impulses_from(&held, &velocities);
-        Some(Told { paragraphs, held, solved: false })
+        self.impulses_from(&held);
+        Some(Told { paragraphs, held, idle, solved: false })
+    }
+    /// Velocities that one of these equations, sums that are 0, says alone to be 0, beside others of which that is known.
+    fn idle(&mut self, equations: Vec<Sum>, velocities: &[SymbolId]) -> Vec<SymbolId> {
+        let still: Vec<SymbolId> =
+            velocities.iter().copied().filter(|v| self.symbols.value(*v) == 0.0).collect();
+        // What counts is a factor of a velocity, not the velocity.
+        still.iter().for_each(|v| self.symbols.place(*v, 1.0));
+        let own = |t: &Expr| t.uses().into_iter().find(|s| velocities.contains(s));
+        let counts = |sum: &Sum| -> Vec<Option<SymbolId>> {
+            let terms = sum.terms().iter().map(Factors::expr);
+            terms.filter(|t| self.value(t).abs() > NOTHING).map(|t| own(&t)).collect()
+        };
+        let rows: Vec<Vec<Option<SymbolId>>> = equations.iter().map(counts).collect();
+        still.iter().for_each(|v| self.symbols.place(*v, 0.0));
+        let mut idle = Vec::new();
+        let alone = |row: &Vec<Option<SymbolId>>, idle: &[SymbolId]| {
+            let mut open = row.iter().copied().filter(|s| s.is_none_or(|s| !idle.contains(&s)));
+            let first = open.next()??;
+            open.all(|s| s == Some(first)).then_some(first).filter(|s| still.contains(s))
+        };
+        while let Some(symbol) = rows.iter().find_map(|row| alone(row, &idle)) {
+            idle.push(symbol);
+        }
+        idle
     }
     /// What it is of, and why no unknown impulse counts.
     fn says(&self, Momentum { bodies, of }: &Momentum) -> String {
@@ -450,13 +506,12 @@ impl Plane<'_, '_> {
         let bodies = if several { format!(" ({})", names.join(", ")) } else { String::new() };
         self.phrase(name, &[("point", &point), ("bodies", &bodies), ("why", &why)])
     }
-    /// An expression with these put in, multiplied out where a sum holds one of these symbols or an angle.
-    fn spelled(&self, of: &Expr, known: &[(SymbolId, Expr)], symbols: &[SymbolId]) -> Sum {
+    /// An expression with these put in, multiplied out, so that what is alike is collected.
+    fn spelled(of: &Expr, known: &[(SymbolId, Expr)]) -> Sum {
         let put = known.iter().fold(of.clone(), |all, (symbol, is)| all.put(*symbol, is));
         let mut terms: Vec<Factors> = put.terms().iter().map(Factors::of).collect();
-        let angles: Vec<SymbolId> = put.uses().into_iter().filter(|s| self.symbols.is_degrees(*s)).collect();
-        for symbol in symbols.iter().chain(&angles) {
-            terms = terms.iter().flat_map(|t| t.spread(*symbol)).collect();
+        for symbol in put.uses() {
+            terms = terms.iter().flat_map(|t| t.spread(symbol)).collect();
         }
         Sum::of(terms)
     }
@@ -475,7 +530,6 @@ impl Plane<'_, '_> {
     }
     /// Takes the open velocities out of the equations, sums that are 0, one after the other, and notes how each follows.
     fn eliminate(&mut self, mut rows: Vec<Sum>, mut open: Vec<SymbolId>) -> Option<()> {
-        let all = open.clone();
         let (mut first, mut last) = (Vec::new(), Vec::new());
         while !open.is_empty() {
             let unknown = |row: &Sum| -> Vec<SymbolId> {
@@ -493,7 +547,7 @@ impl Plane<'_, '_> {
             if alone {
                 first.push((symbol, is));
             } else {
-                let put = |row: &Sum| self.spelled(&row.expr(), &[(symbol, is.clone())], &all);
+                let put = |row: &Sum| Self::spelled(&row.expr(), &[(symbol, is.clone())]);
                 rows = rows.iter().map(put).collect();
                 last.insert(0, (symbol, is));
             }
@@ -504,7 +558,7 @@ impl Plane<'_, '_> {
         Some(())
     }
     /// The impulses of joints that are asked, from the momenta of single bodies.
-    fn impulses_from(&mut self, held: &[(SymbolId, Expr)], velocities: &[SymbolId]) {
+    fn impulses_from(&mut self, held: &[(SymbolId, Expr)]) {
         let labels = self.needed();
         let joints: Vec<Owner> =
             labels.iter().filter(|l| is_impulse(l.quantity)).map(|label| label.of).collect();
@@ -512,7 +566,7 @@ impl Plane<'_, '_> {
         let wanted: Vec<SymbolId> = wanted.map(|h| h.unknown).collect();
         let mut rows = Vec::new();
         for (l, r) in (0..self.bodies.len()).flat_map(|b| self.equations(b)) {
-            let r = self.spelled(&r, held, velocities);
+            let r = Self::spelled(&r, held);
             let r = positive_first(r.terms().iter().map(Factors::expr));
             rows.push(Row { at: 0, name: String::new(), sides: (l, r), told: true });
         }
@@ -541,7 +595,7 @@ impl Plane<'_, '_> {
             let shown = if many && self.detail != Detail::Full { Vec::new() } else { demands };
             paragraphs.push((sentence, shown));
         }
-        Told { paragraphs, held: Vec::new(), solved: true }
+        Told { paragraphs, held: Vec::new(), idle: Vec::new(), solved: true }
     }
 
     // -- what is told -----------------------------------------------------------------------------------------------------
@@ -549,6 +603,10 @@ impl Plane<'_, '_> {
     /// Is it an impact of bodies that move?
     pub fn impact(&self) -> bool {
         self.blow.as_ref().is_some_and(|b| b.before.is_some())
+    }
+    /// Is there no choice of momenta without unknown impulses that would do?
+    pub fn entangled(&self) -> bool {
+        self.blow.as_ref().is_some_and(|b| !b.together.is_empty())
     }
     /// Is an impulse of a joint asked?
     pub fn asks_impulses(&self) -> bool {
@@ -582,9 +640,13 @@ impl Plane<'_, '_> {
             let asked = blow.bodies.iter().position(own).is_none_or(|b| asked.contains(&b));
             asked || matches!(step.from, Expr::Sum(_))
         };
+        let velocity = |s: &SymbolId| blow.bodies.iter().any(|b| b.a.contains(s) || b.alpha == Some(*s));
         let told = |step: &&Step| {
             let moves = self.symbols.value(step.symbol) != 0.0;
-            moves && (!blow.held.contains(&step.symbol) || self.scene.end == End::AtOnce && owned(step))
+            let stops =
+                blow.together.is_empty() && velocity(&step.symbol) && !blow.idle.contains(&step.symbol);
+            (moves || stops)
+                && (!blow.held.contains(&step.symbol) || self.scene.end == End::AtOnce && owned(step))
         };
         let steps = blow.steps.iter().filter(told);
         let all: Vec<(SymbolId, Expr)> =
@@ -614,12 +676,16 @@ impl Plane<'_, '_> {
         if lost > 0.0 {
             let lost = self.page.find(&[r"\Delta E", "E_v"], "J", first - last);
             let share = 100.0 * self.symbols.value(lost) / self.symbols.value(first);
-            let percent = self.digits(share, 2);
+            // What is left keeps it below 100 %.
+            let whole = |n: &usize| share < 100.0 && shown::significant(share, *n) == "100";
+            let figures = (2..FIGURES_OF_SHARE).find(|n| !whole(n)).unwrap_or(FIGURES_OF_SHARE);
+            let percent = self.digits(share, figures);
             self.tell_new();
             self.say("impact.lost", &[("percent", &percent)]);
         } else {
             self.tell_new();
-            self.say("impact.kept", &[]);
+            let parts = self.scene.restitution.is_some();
+            self.say(if parts { "impact.kept" } else { "impact.kept_joined" }, &[]);
         }
         let [before, after] = [&before, &blow.after].map(|e| self.page.expanded(e));
         // Where all was solved for together no formula tells what else would come out.
@@ -645,7 +711,12 @@ impl Plane<'_, '_> {
             });
             let factor = ONE + Expr::from(e);
             let pieces: Pieces = &[("factor", &factor), ("what", &symbol), ("soft", &soft), ("hard", &hard)];
-            self.say("impact.limits_e", pieces);
+            let name = match own {
+                0.0 => "impact.limits_soft",
+                1.0 => "impact.limits_hard",
+                _ => "impact.limits_e",
+            };
+            self.say(name, pieces);
             return Ok(());
         }
         let mut arrives =
@@ -708,11 +779,9 @@ impl Plane<'_, '_> {
         };
         Some(self.page.find_once(&names, label.quantity.unit(), is))
     }
-    /// An expression without the velocities that are 0.
+    /// An expression without the velocities that are 0 whatever the data.
     fn moving(&self, blow: &Blow, of: &Expr) -> Expr {
-        let velocities = blow.bodies.iter().flat_map(|b| b.a.into_iter().chain(b.alpha));
-        let none = velocities.filter(|v| self.symbols.value(*v) == 0.0);
-        none.fold(of.clone(), |all, v| all.put(v, &ZERO))
+        blow.idle.iter().fold(of.clone(), |all, v| all.put(*v, &ZERO))
     }
     /// A quantity, or 0 where it is that.
     fn unless_zero(&self, symbol: SymbolId) -> Expr {
@@ -755,6 +824,8 @@ struct Told {
     paragraphs: Vec<Paragraph>,
     /// Velocities that others give by the joints.
     held: Held,
+    /// Velocities that are 0 whatever the data.
+    idle: Vec<SymbolId>,
     /// Were its equations solved together?
     solved: bool,
 }

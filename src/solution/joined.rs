@@ -31,6 +31,12 @@ const MOST: usize = 12;
 /// Is a joint of some kind?
 type IsKind = fn(&JointKind) -> bool;
 
+/// Is this a force or an acceleration of bodies that are joined?
+const fn is_kinetic(q: Quantity) -> bool {
+    use Quantity as Q;
+    is_rate(q) || matches!(q, Q::AX | Q::AY | Q::Moment | Q::PinRadial | Q::PinTangential | Q::Drive)
+}
+
 impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
     fn idea(&mut self) {
         match self.scene.restitution {
@@ -39,11 +45,16 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             Some((_, e)) => {
                 let e = self.number(e, "e", "1");
                 self.say("impact.idea", &[]);
+                self.say(if self.entangled() { "impact.idea_each" } else { "impact.idea_free" }, &[]);
                 self.say("impact.idea_parts", &[("e", &e)]);
             }
             None => {
                 self.say("impact.idea", &[]);
-                self.say("impact.idea_stays", &[]);
+                let names = match self.entangled() {
+                    true => ["impact.stays", "impact.idea_each"],
+                    false => ["impact.idea_free", "impact.idea_stays"],
+                };
+                names.into_iter().for_each(|name| self.say(name, &[]));
             }
         }
         let name = match self.scene.end {
@@ -90,7 +101,14 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             self.at_rest()?;
         } else if self.instant() && self.blow.is_some() {
             let (rate, is) = (self.rate, self.positive(&self.first));
+            // The blow has been told to change what there was.
+            let added = matches!(is, Expr::Sum(_));
             self.page.step(rate, is);
+            let hangs = |l: &Label| matches!(l.quantity, Quantity::Omega | Quantity::KineticEnergy);
+            if added && self.needed().iter().any(hangs) {
+                self.say("impact.added", &[]);
+                self.tell([rate]);
+            }
         } else if self.instant() {
             self.motion("short", "one_motion")?;
             self.begin_as("why", "which");
@@ -118,41 +136,12 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
         Ok(())
     }
     fn forces(&mut self) -> Result<(), DerivationStop> {
-        use Quantity as Q;
-        let kinetic = |q: Quantity| {
-            is_rate(q) || matches!(q, Q::AX | Q::AY | Q::Moment | Q::PinRadial | Q::PinTangential | Q::Drive)
-        };
         if self.pivot.is_some() {
-            self.forces_of_the_pin(&kinetic)?;
+            self.forces_of_the_pin(&is_kinetic)?;
             return self.swings();
         }
-        let asked: Vec<Label> = self.needed().into_iter().filter(|l| kinetic(l.quantity)).collect();
-        if asked.is_empty() {
-            return Ok(());
-        }
-        let told = if self.single() { None } else { self.by_rate() };
-        let mut values: Vec<SymbolId> = Vec::new();
-        for label in asked {
-            // Components come before what they give.
-            let composed = matches!(label.quantity, Q::PinForce | Q::PinAngle);
-            let parts = [Q::PinX, Q::PinY].into_iter().filter(|_| composed);
-            for quantity in parts.chain([label.quantity]) {
-                let symbol = self.get(Label { quantity, ..label })?;
-                self.answer(Label { quantity, ..label }, symbol);
-                if !values.contains(&symbol) && told != Some(symbol) {
-                    values.push(symbol);
-                }
-            }
-        }
-        if values.is_empty() {
-            return Ok(());
-        }
-        let own = if self.single() && !self.still() { self.one_equation() } else { None };
-        let known = told.or(own);
-        let full = self.detail == Detail::Full;
-        let room = if full { usize::MAX } else { MOST.saturating_sub(self.lines()) };
-        self.tell_solved(known, &values, room);
-        Ok(())
+        // What turns on the spot has been told with the angular acceleration, on which all else hangs.
+        if self.in_place() { Ok(()) } else { self.derive(None) }
     }
     fn asked(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         self.get(label)
@@ -228,8 +217,11 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
     fn onward(&self) -> &'static str {
         match self.scene.end {
             End::Equilibrium => "joined.onward_rest",
-            End::AtOnce if self.impact() && self.scene.restitution.is_some() => "impact.onward",
-            _ if self.impact() && !self.asks_impulses() => "impact.onward_stays",
+            End::AtOnce if self.impact() && self.scene.restitution.is_some() => {
+                let e = self.scene.restitution.map_or(1.0, |(_, e)| self.datum(e));
+                if e == 0.0 { "impact.onward_soft" } else { "impact.onward" }
+            }
+            _ if self.impact() && !self.asks_impulses() && !self.entangled() => "impact.onward_stays",
             End::AtOnce if self.impact() => "onward.other",
             End::AtOnce if self.pivot.is_some() && self.jolts() => "pinned.onward_struck",
             End::AtOnce if self.blow.is_some() => "joined.onward_struck",
@@ -302,6 +294,11 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.answer(*label, symbol);
         }
         Ok(all)
+    }
+    /// The forces of joints on which friction depends.
+    fn pressing(&self) -> Vec<SymbolId> {
+        let rubs: Vec<SymbolId> = self.frictions.iter().flat_map(|(.., is)| is.uses()).collect();
+        self.reactions().into_iter().filter(|force| rubs.contains(force)).collect()
     }
     /// The sum of all masses.
     fn mass(&self) -> f64 {
@@ -799,7 +796,38 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.say("joined.rubs_rate", &[("rate", &self.shown(rate))]);
         self.told(rate);
         self.begin_as("why", "which");
-        self.say("joined.why_rubs", &[("forces", &self.reactions())]);
+        self.say("joined.why_rubs", &[("forces", &self.pressing())]);
+        Ok(())
+    }
+
+    /// What is asked of forces and accelerations, one after the other from the equations of motion; this one first.
+    fn derive(&mut self, first: Option<SymbolId>) -> Result<(), DerivationStop> {
+        let asked: Vec<Label> = self.needed().into_iter().filter(|l| is_kinetic(l.quantity)).collect();
+        if asked.is_empty() && first.is_none() {
+            return Ok(());
+        }
+        let told = if self.single() { None } else { self.by_rate() };
+        let mut values: Vec<SymbolId> = first.into_iter().collect();
+        for label in asked {
+            // Components come before what they give.
+            let composed = matches!(label.quantity, Quantity::PinForce | Quantity::PinAngle);
+            let parts = [Quantity::PinX, Quantity::PinY].into_iter().filter(|_| composed);
+            for quantity in parts.chain([label.quantity]) {
+                let symbol = self.get(Label { quantity, ..label })?;
+                self.answer(Label { quantity, ..label }, symbol);
+                if !values.contains(&symbol) && told != Some(symbol) {
+                    values.push(symbol);
+                }
+            }
+        }
+        if values.is_empty() {
+            return Ok(());
+        }
+        let own = if self.single() && !self.still() { self.one_equation() } else { None };
+        let known = told.or(own);
+        let full = self.detail == Detail::Full;
+        let room = if full { usize::MAX } else { MOST.saturating_sub(self.lines()) };
+        self.tell_solved(known, &values, room);
         Ok(())
     }
 
@@ -828,6 +856,9 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
             _ => (ZERO, gained(&ZERO)),
         };
+        if self.pivot.is_none() {
+            self.derive(Some(alpha))?;
+        }
         self.skip_new();
         self.page.step(turned, way);
         self.page.step(rate, last.clone());
@@ -841,7 +872,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.tell([time]);
         }
         self.begin_as("why", "which");
-        self.say("joined.why_in_place", &[("forces", &self.reactions())]);
+        self.say("joined.why_in_place", &[("forces", &self.pressing())]);
         Ok(())
     }
 

@@ -120,10 +120,13 @@ impl<'d, 'a> Page<'d, 'a> {
         let symbol = self.named(names, unit);
         self.step(symbol, from.into())
     }
-    /// The same, or what is equal to this already.
+    /// The same, or what is equal to this already. What is a number, as 0, has to bear such a name besides: a velocity and an energy
+    /// may both be 0.
     pub fn find_once(&mut self, names: &[impl AsRef<str>], unit: &str, from: Expr) -> SymbolId {
-        let known = self.steps.iter().find(|s| s.from == from).map(|s| s.symbol);
-        known.unwrap_or_else(|| self.find(names, unit, from))
+        let number = from.uses().is_empty();
+        let named = |s: SymbolId| names.iter().any(|name| name.as_ref() == self.symbols.tex(s));
+        let known = self.steps.iter().find(|s| s.from == from && (!number || named(s.symbol)));
+        known.map(|s| s.symbol).unwrap_or_else(|| self.find(names, unit, from))
     }
     /// An expression with what was found put in for its symbols, down to the data.
     pub fn expanded(&self, of: &Expr) -> Expr {

@@ -742,6 +742,128 @@ fn what_an_impact_loses_is_told_as_it_is() {
             // A heavy bullet loses what it brings along the rod alone, sin^2 of 30 degrees.
             let text = solution(bullet, &other, language);
             assert!(text.contains(" 100 %") && text.contains(" 25 %"), "{text}");
+            // Where it stays it is told by its place on the rod alone.
+            assert!(text.contains(r"v_{Bxs} = \omega_{Rs}\,b_{R}$"), "{text}");
+            // A light one all but a little: the share that is kept, by the angular momentum about the pin.
+            let [m, rod] = ["m", "M"].map(|name| datum(bullet, &other, name));
+            let kept = 0.75 * m * 0.75f64.powi(2) / (rod / 3.0 + m * 0.75f64.powi(2));
+            let lost =
+                language.0.get("solution.impact.lost").replace("{percent}", &digits(100.0 - 100.0 * kept, 3));
+            assert!(kept < 0.005 && text.replace("{,}", ".").contains(&lost), "{lost}: {text}");
+        }
+    }
+}
+
+/// Two blocks that meet head on, and rods on a pin that are struck while they turn.
+fn brought_to_rest() -> Bank {
+    let blocks = "{a: {mass: m, moves: in a horizontal plane, placed: [0 m, 0 m]}, b: {mass: m, moves: in a horizontal plane, placed: [0 m, 0 m]}}";
+    let hit = |e: u32, v: u32| {
+        format!(
+            "scene:
+      bodies: {blocks}
+      joints: {{hit: {{guides: a, on: b, along: 90 deg, restitution: {e}}}}}
+      start: {{a: {{arrives: {{speed: 2 m/s, direction: right}}}}, b: {{arrives: {{speed: {v} m/s, direction: left}}}}}}
+      end: at once
+    questions: {{v: {{quantity: b.v, ask: v}}, E: {{quantity: kinetic_energy, ask: E}}}}"
+        )
+    };
+    let swings = "scene:
+      bodies: {a: {mass: 2 kg, shape: {rod: 1 m}, moves: in the plane, angle: from hanging}, b: {mass: m, shape: {rod: 0.5 m}, moves: in the plane}}
+      joints: {O: {pins: a.A}, W: {welds: [a.B, b.A]}}
+      forces: [impulse: {on: b.B, magnitude: 1.4 N*s, direction: left}]
+      start: {a: {angle: 0 deg, spin: 2 rad/s}}
+      end: at once
+    questions: {w: {quantity: a.omega, ask: w}, E: {quantity: kinetic_energy, ask: E}}";
+    let problem = |id: &str, scene: &str| {
+        format!(
+            "  {id}:\n    title: P\n    statement: x\n    data: {{m: {{name: m, unit: kg, draw: always 1}}}}\n    {scene}\n"
+        )
+    };
+    let alike = "scene:
+      bodies: {a: {mass: 4 kg, shape: {rod: 1 m}, moves: in a horizontal plane, angle: from right, placed: [0 m, 0 m]}, b: {mass: m, moves: in a horizontal plane}}
+      joints: {K: {welds: [a.B, b]}}
+      start: {a: {angle: 0 deg, arrives: {speed: 2 m/s, direction: up}}, b: {arrives: {speed: 2 m/s, direction: up}}}
+      end: at once
+    questions: {v: {quantity: b.v, ask: v}}";
+    let all = [
+        ("alike", alike.to_owned()),
+        ("soft", hit(0, 2)),
+        ("hard", hit(1, 0)),
+        ("swings", swings.to_owned()),
+    ];
+    let all: String = all.iter().map(|(id, scene)| problem(id, scene)).collect();
+    bank(&format!("bank: b\ntitle: B\nproblems:\n{all}"))
+}
+
+/// What comes to rest in an impact is told like every other velocity, with the equations that say so, and no velocity for an energy; what
+/// a blow changes is added to what there was.
+#[test]
+fn what_an_impact_brings_to_rest_is_told() {
+    for problem in &brought_to_rest().problems {
+        let variant = maker::from_values(problem, 0, &support::constants(problem)).expect("solved");
+        for language in &languages() {
+            let text = solution(problem, &variant, language).replace("{,}", ".");
+            let told: &[&str] = match problem.id.as_str() {
+                "alike" => &[language.0.get("solution.impact.kept_joined")],
+                "soft" => &[
+                    r"$0 = m\,v_{Axs} + m\,v_{Bxs}$",
+                    r"$v_{Axs} = 0\ \mathrm{m}/\mathrm{s}",
+                    r"$E_s = 0\ \mathrm{J}$",
+                    r"\Delta E = E_0 - E_s = 4.000\ ",
+                ],
+                "hard" => &[r"v_0\,(1 - e) = 0\ \mathrm{m}/\mathrm{s}", r"v_{Bxs} = v_{Axs} + ", "= 2.000"],
+                _ => &[r"+ \omega_{A\Delta} = 1.067\ \mathrm{rad}/\mathrm{s}"],
+            };
+            for told in told {
+                assert!(text.contains(told), "{told}: {text}");
+            }
+            // One quantity has one unit.
+            assert!(!text.contains(r"\mathrm{m}/\mathrm{s} = 0\ \mathrm{J}"), "{text}");
+        }
+    }
+}
+
+/// What turns on the spot hangs on an angular acceleration, which a line gives before it is used; and the work of friction needs what
+/// presses, no force of a pin.
+#[test]
+fn what_turns_on_the_spot_has_its_acceleration_from_a_line() {
+    let bank = bank(include_str!("../worked/impacts-and-slots.yaml"));
+    let problem = bank.problems.iter().find(|p| p.id == "brake").expect("it is there");
+    let variant = Maker::new(problem, 1, "brakes").variant("0").unwrap_or_else(|u| panic!("{u}"));
+    for language in &languages() {
+        let text = solution(problem, &variant, language);
+        let needs = language.0.get("solution.joined.why_in_place").replace("{forces}", "$N$");
+        assert!(text.contains(&needs), "{needs}: {text}");
+        let [line, used] =
+            [r"\alpha_{D} = -\frac{2\,\mu\,N", r"\Delta \phi = -\frac"].map(|of| text.find(of));
+        assert!(line.is_some() && line < used, "{line:?} {used:?}: {text}");
+    }
+}
+
+/// How an impact is told is what its equations are: the directions of the indices, whether unknown impulses are in all equations, and
+/// no question about what has been printed.
+#[test]
+fn an_impact_says_what_its_equations_are() {
+    let bank = bank(include_str!("../worked/impacts-and-slots.yaml"));
+    for (id, said, unsaid) in [
+        ("pucks", &["directions", "idea_free", "onward"][..], &["idea_each", "onward_soft"][..]),
+        ("jerked", &["idea_each", "stays"], &["idea_free", "onward_stays"]),
+        ("bullet", &["idea_free", "idea_stays"], &["idea_each"]),
+    ] {
+        let problem = bank.problems.iter().find(|p| p.id == id).expect("it is there");
+        let variant = Maker::new(problem, 1, "told").variant("0").unwrap_or_else(|u| panic!("{u}"));
+        for language in &languages() {
+            let text = solution(problem, &variant, language).replace("{,}", ".");
+            let sentence = |name: &&str| {
+                let [t, n] = [0.0, 90.0].map(|more| match id {
+                    "pucks" => slipstick::num::shown::significant(datum(problem, &variant, "t") + more, 4),
+                    _ => String::new(),
+                });
+                let phrase = language.0.get(&format!("solution.impact.{name}"));
+                phrase.replace("{t}", &format!(r"${t}^\circ$")).replace("{n}", &format!(r"${n}^\circ$"))
+            };
+            said.iter().map(sentence).for_each(|s| assert!(text.contains(&s), "{s}: {text}"));
+            unsaid.iter().map(sentence).for_each(|s| assert!(!text.contains(&s), "{s}: {text}"));
         }
     }
 }
