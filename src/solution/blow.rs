@@ -1,7 +1,7 @@
 //! Blows and impacts: the velocities that bodies have right after them. Forces are unknown while they last, and energy may be lost;
 //! so each equation is the momentum of some of the bodies in a direction, or their angular momentum about a point, for which no
 //! unknown impulse counts. What the joints demand of the velocities, and how points part again, are the other equations.
-use crate::num::shown;
+use crate::num::{shown, trig};
 use crate::scene::{End, JointKind, Label, Owner, Quantity, Spot};
 use crate::solution::draft::Detail;
 use crate::solution::expr::{
@@ -416,7 +416,7 @@ impl Plane<'_, '_> {
         if let Some([along, across]) = self.oblique.clone() {
             let [t, n] = [along, across].map(|unit| {
                 let [x, y] = unit.map(|x| self.value(&x.expr()));
-                format!(r"${}^\circ$", self.digits(y.atan2(x).to_degrees().rem_euclid(360.0), 4))
+                format!(r"${}^\circ$", self.digits(trig::atan2(y, x).to_degrees().rem_euclid(360.0), 4))
             });
             paragraphs.push((self.phrase("impact.directions", &[("t", &t), ("n", &n)]), Vec::new()));
         }
