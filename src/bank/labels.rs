@@ -66,7 +66,8 @@ pub fn reason(scene: &Scene, quantity: Quantity) -> String {
     if scene.carried.is_some() && matches!(quantity, Q::Distance | Q::Rise | Q::WorkPull) {
         return "where a belt, a truck or a lift carries the scene it is not told".to_owned();
     }
-    if quantity.is_of_mass_centre() && (0..scene.bodies.len()).any(|body| scene.has_hole(body)) {
+    if quantity.is_of_mass_centre() && (0..scene.bodies.len()).any(|body| scene.holes(body).next().is_some())
+    {
         return "of a body with a hole it is not told: ask `v` of a named point, or `x_G`, `I_G` of the whole".to_owned();
     }
     let aslant = |tie: &Tie| matches!(tie, Tie::Cord(cord) if cord.from.tilt_deg.is_some());

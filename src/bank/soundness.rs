@@ -287,8 +287,7 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
     let welded = |b: usize| {
         let held = |j: &&Joint| j.kind.spots().any(|spot| spot.body == b);
         let mut own = scene.joints.iter().filter(held).map(|j| j.kind);
-        let weld = |kind| matches!(kind, JointKind::Hinge { turned_deg: Some(_), .. });
-        own.next().is_some_and(weld) && own.next().is_none()
+        own.next().is_some_and(|kind| kind.is_weld()) && own.next().is_none()
     };
     let holes = || (0..scene.bodies.len()).filter(|b| scene.bodies[*b].removed);
     let cut = holes().find(|b| !welded(*b));

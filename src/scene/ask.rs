@@ -419,12 +419,14 @@ impl Scene {
     pub fn is_pendulum(&self) -> bool {
         self.couples.is_empty() && self.struts.is_empty() && self.pinned().is_some()
     }
-    /// Is a part of this body taken away?
-    pub fn has_hole(&self, body: usize) -> bool {
-        let welds = |joint: &Joint| matches!(joint.kind, JointKind::Hinge { turned_deg: Some(_), .. });
-        let mut welded =
-            self.joints.iter().filter(|joint| welds(joint) && joint.kind.spots().any(|s| s.body == body));
-        welded.any(|joint| joint.kind.spots().any(|spot| self.bodies[spot.body].removed))
+    /// What is taken away of this body.
+    pub fn holes(&self, body: usize) -> impl Iterator<Item = usize> {
+        let welds = self
+            .joints
+            .iter()
+            .filter(move |joint| joint.kind.is_weld() && joint.kind.spots().any(|spot| spot.body == body));
+        let parts = welds.flat_map(|joint| joint.kind.spots()).map(|spot| spot.body);
+        parts.filter(move |part| *part != body && self.bodies[*part].removed && !self.bodies[body].removed)
     }
     /// Does this body rest on wheels?
     pub fn rests(&self, body: usize) -> bool {
@@ -464,7 +466,7 @@ impl Scene {
         // Where the mass centre of a body lies in which there is a hole, it alone does not say.
         if let Owner::Body(b) = label.of
             && label.quantity.is_of_mass_centre()
-            && self.has_hole(b)
+            && self.holes(b).next().is_some()
         {
             return false;
         }

@@ -162,6 +162,14 @@ impl Formulas {
 }
 
 impl Scene {
+    /// Whose quantity the formula of a question names: of which scene, and which.
+    pub fn quantity_of(&self, term: Term) -> Option<(&Self, Label)> {
+        match term {
+            Term::Given(_) => None,
+            Term::Said(label) => Some((self, label)),
+            Term::Other(at, label) => self.formulas.others.get(at).map(|(_, other)| (other, label)),
+        }
+    }
     /// A number of the scene in doubles, as the scene takes it; NaN where there is no such datum.
     pub fn value(&self, number: Num, data: &[f64]) -> f64 {
         let mut data = Cow::Borrowed(data);

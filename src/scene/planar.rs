@@ -287,6 +287,10 @@ impl JointKind {
     pub const fn only_pushes(&self) -> bool {
         matches!(self, Self::Guide { one_sided: true, .. } | Self::Contact { teeth: false, .. })
     }
+    /// Does it hold the angle between its bodies?
+    pub const fn is_weld(&self) -> bool {
+        matches!(self, Self::Hinge { turned_deg: Some(_), .. })
+    }
     /// Can it only push, or only pull?
     pub const fn is_one_sided(&self) -> bool {
         self.only_pushes() || matches!(self, Self::Cord { rod: false, .. })
@@ -458,8 +462,7 @@ impl Scene {
         };
         turned.extend((0..self.bodies.len()).filter(|b| spins(&self.bodies[*b])));
         for joint in &self.joints {
-            let welded = matches!(joint.kind, JointKind::Hinge { turned_deg: Some(_), .. });
-            let turns = welded || joint.kind.turns_round();
+            let turns = joint.kind.is_weld() || joint.kind.turns_round();
             for spot in joint.kind.spots() {
                 acts.push(spot);
                 turned.extend(turns.then_some(spot.body));
@@ -513,8 +516,8 @@ impl Scene {
         };
         let centred = |spot: Spot| spot.body != lead || planar.points[spot.point].1 == on_axis(planar.centre);
         let turned = |joint: &Joint| {
-            let welded = matches!(joint.kind, JointKind::Hinge { turned_deg: Some(_), .. });
-            (welded || joint.kind.rolls()[0]) && joint.kind.spots().any(|spot| spot.body == lead)
+            (joint.kind.is_weld() || joint.kind.rolls()[0])
+                && joint.kind.spots().any(|spot| spot.body == lead)
         };
         let springs = |s: &Strut| match s.to {
             StrutEnd::Twist => s.at.body != lead,

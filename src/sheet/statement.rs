@@ -505,13 +505,11 @@ fn is_signed(scene: &Scene, label: Label) -> bool {
         !of.is_magnitude(label) && !cord
     };
     !asked.formula.steps().last().is_some_and(positive)
-        && asked.formula.names().any(|term| match term {
-            Term::Given(_) => false,
-            Term::Said(label) => signed(scene, label),
-            Term::Other(other, label) => {
-                scene.formulas.others.get(other).is_some_and(|(_, of)| signed(of, label))
-            }
-        })
+        && asked
+            .formula
+            .names()
+            .filter_map(|term| scene.quantity_of(term))
+            .any(|(of, label)| signed(of, label))
 }
 
 /// Which part of the motion counts: for the way and the turn of what may come back, and for an extremum where the forces change on the way so that it

@@ -211,13 +211,7 @@ fn named(draft: &mut Draft, term: Term, others: &[(usize, Label, SymbolId)]) -> 
     };
     let symbol = symbol.map_err(|label| Beyond::Quantity(label.quantity))?;
     // A formula takes a quantity as it is asked by itself.
-    let sized = match term {
-        Term::Said(label) => draft.scene.is_magnitude(label),
-        Term::Other(i, label) => {
-            draft.scene.formulas.others.get(i).is_some_and(|(_, of)| of.is_magnitude(label))
-        }
-        Term::Given(_) => false,
-    };
+    let sized = draft.scene.quantity_of(term).is_some_and(|(of, label)| of.is_magnitude(label));
     let e = Expr::from(symbol);
     Ok((if sized && e.value(&draft.symbols) < 0.0 { magnitude(e) } else { e }, false))
 }

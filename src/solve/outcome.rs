@@ -893,21 +893,19 @@ impl<T: Real> Road<T> {
         }
         for (i, asked) in scene.formulas.asked.iter().enumerate() {
             // A formula takes a quantity as it is asked by itself: only its size where that alone counts.
-            let said = |road: Option<&Self>, scene: &Scene, label: Label| {
-                let said = road.and_then(|road| road.get(label));
-                let sized = |value: T| if scene.is_magnitude(label) { value.abs() } else { value };
-                said.map_or((T::of(f64::NAN), 0.0), |s| (sized(s.value), s.scale))
+            let said = |road: Option<&Self>, term: Term| {
+                let (of, label) = scene.quantity_of(term)?;
+                let said = road?.get(label)?;
+                Some((if of.is_magnitude(label) { said.value.abs() } else { said.value }, said.scale))
             };
+            let nothing = (T::of(f64::NAN), 0.0);
             let (value, scale) = asked.formula.weighed(&|term: Term| match term {
                 Term::Given(given) => {
                     let value: T = given.value(data);
                     (value, value.size())
                 }
-                Term::Said(label) => said(Some(&self), scene, label),
-                Term::Other(at, label) => {
-                    let other = scene.formulas.others.get(at).map_or(scene, |(_, other)| other);
-                    said(others.get(at).and_then(Option::as_ref), other, label)
-                }
+                Term::Said(_) => said(Some(&self), term).unwrap_or(nothing),
+                Term::Other(at, _) => said(others.get(at).and_then(Option::as_ref), term).unwrap_or(nothing),
             });
             if value.is_finite() && scale.is_finite() {
                 let label = Label { quantity: asked.quantity, of: Owner::Asked(i) };

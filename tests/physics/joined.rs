@@ -687,6 +687,13 @@ pub fn solved(scene: &str) -> (Bank, Solved) {
     (bank, solved)
 }
 
+/// The share of its value by which an answer may be off because something beside it is greater.
+pub fn free(scene: &str, name: &str) -> f64 {
+    let (bank, solved) = solved(scene);
+    let entry = solved.get(labels::named(&bank.problems[0].cases[0].scene, name).unwrap()).unwrap();
+    1e-3 * entry.scale / entry.value().abs()
+}
+
 pub fn all_near(found: &[f64], expected: &[f64], by: f64) {
     assert_eq!(found.len(), expected.len());
     found.iter().zip(expected).for_each(|(a, b)| near(*a, *b, by));

@@ -1,5 +1,5 @@
 //! Joined bodies at the edges of what is followed: springs at their anchors and at half a turn, contacts at a blow, rods in one line.
-use crate::joined::{CRATE, STRUCK, all_near, constants, read, solved, told, value};
+use crate::joined::{CRATE, STRUCK, all_near, constants, free, read, solved, told, value};
 use slipstick::bank::{labels, load};
 use slipstick::inspect::sentences;
 use slipstick::problem::maker::Maker;
@@ -1009,11 +1009,6 @@ forces: [force: {on: trolley, magnitude: 1000 N, direction: right}]
 start: {rod: {angle: 20 deg}}
 end: at once
 ";
-    let free = |scene: &str, name: &str| {
-        let (bank, solved) = solved(scene);
-        let entry = solved.get(labels::named(&bank.problems[0].cases[0].scene, name).unwrap()).unwrap();
-        1e-3 * entry.scale / entry.value().abs()
-    };
     let (bar, named) = (bar(""), bar(", C: 1.8 m, D: 1.8 m, E: 1.8 m, F: 1.8 m, H: 1.8 m"));
     let cases = [
         (roller, "floor.friction"),

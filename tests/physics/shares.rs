@@ -1,7 +1,6 @@
 //! Supports that share a load in a way that statics leaves open: can they carry it at all? And answers whose tolerance is their own, not
 //! that of something greater beside them.
-use crate::joined::{constants, read, solved, told, value};
-use slipstick::bank::labels;
+use crate::joined::{constants, free, read, solved, told, value};
 use slipstick::solve::agree;
 use slipstick::solve::outcome::CheckKind;
 
@@ -105,13 +104,6 @@ end: at once
         )
     };
     assert_eq!((fails(&struck(-80.0)), fails(&struck(80.0))), (None, Some(CheckKind::HoldsBlow)));
-}
-
-/// The share of its value by which an answer may be off because something beside it is greater.
-fn free(scene: &str, name: &str) -> f64 {
-    let (bank, solved) = solved(scene);
-    let entry = solved.get(labels::named(&bank.problems[0].cases[0].scene, name).unwrap()).unwrap();
-    1e-3 * entry.scale / entry.value().abs()
 }
 
 /// A fact of the scene that is small beside another one is not free for that.

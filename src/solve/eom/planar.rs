@@ -474,15 +474,9 @@ impl<'a, T: Real> Mechanism<'a, T> {
 
     /// Is more taken away from a body than there is of it, in mass or about the common mass centre?
     fn is_hollow(&self, poses: &Poses<T>, body: usize) -> bool {
-        let holes = self.scene.joints.iter().filter_map(|joint| match joint.kind {
-            JointKind::Hinge { one, other, turned_deg: Some(_) } if one.body == body => Some(other.body),
-            JointKind::Hinge { one, other, turned_deg: Some(_) } if other.body == body => Some(one.body),
-            _ => None,
-        });
         let own = &self.n.bodies[body];
         let (mut mass, mut moment, mut inertia, mut any) = (own.mass, [T::zero(); 2], own.inertia, false);
-        for hole in holes.filter(|hole| self.scene.bodies[*hole].removed && !self.scene.bodies[body].removed)
-        {
+        for hole in self.scene.holes(body) {
             let (numbers, off) =
                 (&self.n.bodies[hole], pose::less(self.centre(poses, hole), self.centre(poses, body)));
             any = true;
@@ -1031,8 +1025,13 @@ impl<'a, T: Real> Mechanism<'a, T> {
     }
     /// Acceleration of a mass centre at this square of the rate: to the right and up.
     pub fn acceleration(&self, response: &Response<T>, body: usize, square: T) -> Vector<T> {
+        let [x, y, _] = Self::moved(response, body, square);
+        [x, y]
+    }
+    /// The same with that of the turn, counter-clockwise; in a blow the jumps of the velocities.
+    fn moved(response: &Response<T>, body: usize, square: T) -> [T; 3] {
         let [constant, by_square] = &response.moves;
-        [0, 1].map(|i| constant[body][i].balance(by_square[body][i] * square))
+        [0, 1, 2].map(|i| constant[body][i].balance(by_square[body][i] * square))
     }
     /// Angular velocity of a body for a unit rate, as its own angle counts.
     pub fn spin(&self, state: &State<T>, body: usize) -> T {
@@ -1078,24 +1077,23 @@ impl<'a, T: Real> Mechanism<'a, T> {
         sliding: &[f64],
         blow: bool,
     ) -> Option<usize> {
-        let rows = self.rubbing(state, sliding);
-        let held = rows.iter().zip(&response.forces).enumerate();
         let sided = |i: usize, row: &Row<T>| {
             let joint = self.scene.joints.get(row.joint);
             joint.is_some_and(|joint| joint.kind.is_one_sided() && i == self.held[row.joint])
         };
-        let (first, _) = held.clone().find(|(i, (row, force))| force.is_none() && sided(*i, row))?;
+        let mut held = state.rows.iter().zip(&response.forces).enumerate();
+        let (_, (first, _)) = held.find(|(i, (row, force))| force.is_none() && sided(*i, row))?;
+        let rows = self.rubbing(state, sliding);
         let given = self.forces(&state.poses, blow);
         let mut load = vec![0.0; 3 * given.len()];
         for (b, force) in given.iter().enumerate() {
-            let inertias = self.inertias(b);
+            let (inertias, moved) = (self.inertias(b), Self::moved(response, b, square));
             for k in 0..if self.turns(b) { 3 } else { 2 } {
-                let moved = self.response_of(response, b, square)[k];
-                load[3 * b + k] = (inertias[k] * moved - force[k]).f64();
+                load[3 * b + k] = (inertias[k] * moved[k] - force[k]).f64();
             }
         }
         let mut columns = Vec::new();
-        for (i, (row, force)) in held {
+        for (i, (row, force)) in rows.iter().zip(&response.forces).enumerate() {
             let mut column = vec![0.0; load.len()];
             for end in row.loaded() {
                 let reacts = Self::reacts(row, end);
@@ -1113,11 +1111,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
         }
         let all: f64 = load.iter().map(|x| x.abs()).sum();
         let carried = shares::lacking(&columns, &load) <= SHARED * all;
-        (!carried).then_some(rows[first].joint)
-    }
-    /// Acceleration of a mass centre and of the turn at this square of the rate, or in a blow the jumps of their velocities.
-    fn response_of(&self, response: &Response<T>, body: usize, square: T) -> [T; 3] {
-        [0, 1, 2].map(|k| response.moves[0][body][k].balance(response.moves[1][body][k] * square))
+        (!carried).then_some(first.joint)
     }
     /// Velocity of a mass centre for a unit rate.
     pub fn velocity(&self, state: &State<T>, body: usize) -> Vector<T> {
