@@ -4,12 +4,12 @@
 pub mod catalogue;
 
 use crate::bank::expression::Expression;
-use crate::bank::{Mistake, Problem};
+use crate::bank::{Case, Mistake, Problem};
 use crate::num::formula::Formula;
 use crate::num::lanes::LANES;
-use crate::scene::{Label, Owner, Quantity, Term};
+use crate::scene::{Label, Owner, Quantity, Scene, Term};
 use crate::solve::agree::{self, Quick};
-use crate::solve::outcome::{Entry, Scope, Set, Solved, Told};
+use crate::solve::outcome::{Scope, Set, Solved, Told};
 
 /// Where a wrong method comes to for one quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,6 +72,8 @@ struct PreparedMethod<'p> {
     /// Its index in the problem.
     index: usize,
     mistake: &'p Mistake,
+    /// The right scene: quantities in expressions are taken as it asks them.
+    scene: &'p Scene,
     /// The scene that it solves, if it changes scene or data, and what it asks of it.
     solves: Option<Quick<'p>>,
     asked: Scope,
@@ -97,13 +99,15 @@ enum SpoiltBy<'p> {
 impl<'p> Methods<'p> {
     /// Prepares the methods of these indices that are taken in this case.
     pub fn new(problem: &'p Problem, case: usize, labels: &[Label], wanted: &dyn Fn(usize) -> bool) -> Self {
-        let right = problem.cases.get(case).map(|c| &c.scene);
+        let Some(Case { scene: right, .. }) = problem.cases.get(case) else {
+            return Self { problem, methods: Vec::new() };
+        };
         let taken = |m: &Mistake| m.cases.is_empty() || m.cases.contains(&case);
         let mistakes = problem.mistakes.iter().enumerate().filter(|(i, m)| wanted(*i) && taken(m));
         let method = |(index, mistake): (usize, &'p Mistake)| {
             let changes = !mistake.data.is_empty() || !mistake.scenes.is_empty();
             let scene = match mistake.scenes.is_empty() {
-                true => right,
+                true => Some(right),
                 false => mistake.scenes.get(case).and_then(Option::as_ref),
             };
             let spoils = labels.iter().enumerate().filter_map(|(asked, label)| {
@@ -119,8 +123,8 @@ impl<'p> Methods<'p> {
                     }
                     Term::Given(_) | Term::Other(..) => false,
                 };
-                let formula = match (label.of, right) {
-                    (Owner::Asked(i), Some(scene)) => scene.formulas.asked.get(i).map(|a| &a.formula),
+                let formula = match label.of {
+                    Owner::Asked(i) => right.formulas.asked.get(i).map(|a| &a.formula),
                     _ => None,
                 };
                 match formula.filter(|f| f.names().any(part)) {
@@ -130,12 +134,10 @@ impl<'p> Methods<'p> {
             });
             let spoils: Vec<(Label, usize, SpoiltBy)> = spoils.collect();
             let changed: Vec<usize> = mistake.data.iter().map(|(i, _)| *i).collect();
-            let quick = |(scene, right)| Quick::new(scene, right, &changed);
-            let solves = scene.zip(right).filter(|_| changes).map(quick);
+            let solves = scene.filter(|_| changes).map(|scene| Quick::new(scene, right, &changed));
             let asked = Scope::only(spoils.iter().flat_map(needed).map(|label| label.quantity));
-            let joins =
-                solves.is_some() && mistake.scenes.is_empty() && right.is_some_and(agree::side_by_side);
-            PreparedMethod { index, mistake, solves, asked, joins, spoils, before: 0 }
+            let joins = solves.is_some() && mistake.scenes.is_empty() && agree::side_by_side(right);
+            PreparedMethod { index, mistake, scene: right, solves, asked, joins, spoils, before: 0 }
         };
         let mut methods: Vec<PreparedMethod> =
             mistakes.map(method).filter(|m| !m.spoils.is_empty()).collect();
@@ -226,10 +228,10 @@ fn needed<'e>((label, _, by): &'e (Label, usize, SpoiltBy)) -> impl Iterator<Ite
 impl PreparedMethod<'_> {
     /// What it comes to, with the solution of the scene that it takes for the right one.
     fn values(&self, changed: Option<&Told>, data: &[f64], solved: &Solved, tell: &mut dyn FnMut(Wrong)) {
-        let right = |label: Label| solved.get(label).map_or(f64::NAN, Entry::value);
+        let right = |label: Label| solved.asked(self.scene, label);
         let changes = !self.mistake.data.is_empty() || !self.mistake.scenes.is_empty();
         let other = |label: Label| match changed {
-            Some(told) => told.value(0, label).unwrap_or(f64::NAN),
+            Some(told) => told.value(0, label).map_or(f64::NAN, |value| self.scene.as_asked(label, value)),
             // Without such a motion only what follows from the data alone has a value.
             None if changes => f64::NAN,
             None => right(label),
@@ -262,7 +264,7 @@ impl PreparedMethod<'_> {
 
     /// The data that the method takes for the right ones, if they are such a scene.
     fn changed(&self, problem: &Problem, data: &[f64], solved: &Solved) -> Option<Set> {
-        let right = |label: Label| solved.get(label).map_or(f64::NAN, Entry::value);
+        let right = |label: Label| solved.asked(self.scene, label);
         let mut taken = data.to_vec();
         for (index, expression) in &self.mistake.data {
             let value = expression.eval(data, &right);

@@ -5,7 +5,7 @@ use crate::key::{Answer, Given, KeyEntry, KeyFollow, ProblemKey, WordSigns, Wron
 use crate::num::trig;
 use crate::problem::variant::Variant;
 use crate::scene::{Body, JointKind, Label, Owner, Quantity, Scene, Slope, Tie};
-use crate::solve::outcome::{Entry, Motion, Solved};
+use crate::solve::outcome::{Motion, Solved};
 use std::sync::Arc;
 
 /// Absolute tolerance of quantities that may vanish, as a share of the scale of their terms: a thousandth of the
@@ -88,7 +88,7 @@ impl<'p> KeyFrame<'p> {
             }));
             entry
         });
-        let quantity = |label: &Label| variant.solved.get(*label).map_or(f64::NAN, Entry::value);
+        let quantity = |label: &Label| variant.solved.asked(scene, *label);
         let known = variant.data.iter().copied().chain(self.extras.iter().map(quantity)).collect();
         let printed = variant.values.iter().flatten().map(|v| v.f64());
         let given = variant.data.iter().copied().chain(printed).collect();

@@ -468,7 +468,7 @@ impl<'p> Maker<'p> {
         if let Some((question, share)) = make_key::wide(self.problem, &solved) {
             hear(DrawRule::Proved(question).found(share))?;
         }
-        if let Some(question) = broken_relation(self.problem, data, &solved) {
+        if let Some(question) = broken_relation(self.problem, case, data, &solved) {
             hear(DrawRule::Follows(question).into())?;
         }
         let wrong = match wrong {
@@ -663,7 +663,7 @@ impl<'p> Maker<'p> {
                 hear(DrawRule::Answered(i).into())?;
             }
         }
-        bounds(case, true, data, &|label| solved.get(label).map_or(f64::NAN, Entry::value), hear)
+        bounds(case, true, data, &|label| solved.asked(&case.scene, label), hear)
     }
 }
 
@@ -737,11 +737,11 @@ fn bounds(
 }
 
 /// The first relation between parts that does not give the right answer from right ones: an index into the questions.
-pub fn broken_relation(problem: &Problem, data: &[f64], solved: &Solved) -> Option<usize> {
-    let right = |label: Label| solved.get(label).map_or(f64::NAN, Entry::value);
+pub fn broken_relation(problem: &Problem, case: &Case, data: &[f64], solved: &Solved) -> Option<usize> {
+    let right = |label: Label| solved.asked(&case.scene, label);
     let holds = |question: &Question, value: f64| {
         let Some(entry) = solved.get(question.label) else { return false };
-        (value - entry.value()).abs() <= RELATION * entry.value().abs().max(entry.scale)
+        (value - right(question.label)).abs() <= RELATION * entry.value().abs().max(entry.scale)
     };
     let broken = |f: &&Follow| !holds(&problem.questions[f.question], f.by.eval(data, &right));
     problem.follows.iter().find(broken).map(|f| f.question)

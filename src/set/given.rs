@@ -227,7 +227,9 @@ fn solved(
     if let Some(question) = missing {
         return Err(LostWhy::Unanswered(question.id.clone()));
     }
-    if let Some(part) = maker::broken_relation(problem, &variant.data, &variant.solved) {
+    if let Some(part) =
+        maker::broken_relation(problem, &problem.cases[variant.case], &variant.data, &variant.solved)
+    {
         return Err(LostWhy::Relation(problem.questions[part].id.clone()));
     }
     let key = make_key::key(problem, &variant);

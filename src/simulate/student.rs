@@ -9,7 +9,6 @@ use crate::simulate::habits::Habits;
 use crate::simulate::truth::{TrueKind, Truth};
 use crate::simulate::written::{self, WrittenCell};
 use crate::solution::by_hand::{self, ByHand};
-use crate::solve::outcome::Entry;
 use crate::units::Unit;
 use crate::words::Words;
 
@@ -296,10 +295,11 @@ impl<'h> SimulatedStudent<'h> {
         if !self.chance.meets(self.habits.follows_on) {
             return None;
         }
+        let scene = &part.problem.cases[part.variant.case].scene;
         let own = |label: Label| {
             let asked = part.problem.questions.iter().position(|q| q.label == label);
             let wrong = asked.and_then(|q| memory.wrong.iter().find(|(p, _)| *p == q));
-            wrong.map_or_else(|| part.variant.solved.get(label).map_or(f64::NAN, Entry::value), |(_, x)| *x)
+            wrong.map_or_else(|| part.variant.solved.asked(scene, label), |(_, x)| *x)
         };
         let si = follow.by.eval(&part.variant.data, &own);
         if !si.is_finite() {

@@ -309,6 +309,10 @@ impl Solved {
     pub fn get(&self, label: Label) -> Option<&Entry> {
         self.entries.iter().find(|e| e.label == label)
     }
+    /// The value of a label as it is asked of its scene; NaN where there is none.
+    pub fn asked(&self, scene: &Scene, label: Label) -> f64 {
+        self.get(label).map_or(f64::NAN, |entry| scene.as_asked(label, entry.value()))
+    }
     /// The word of a label.
     pub fn word(&self, label: Label) -> Option<Word> {
         self.words.iter().find(|(l, _)| *l == label).map(|(_, w)| *w)

@@ -223,6 +223,61 @@ fn a_wrong_method_spoils_what_is_put_together_of_it() {
     assert_eq!(wrong(2, "lacking"), None, "it is not among `of`");
 }
 
+/// A collar that moves inward on an arm that turns to the left presses on the side that no word of the program calls positive: asked is
+/// the size of the force, and so it is named in bounds, relations and wrong methods. By hand 2 m omega v, from m (r phi'' + 2 r' phi') where
+/// the arm has the moment of inertia M l^2/3 and no moment acts.
+#[test]
+fn a_quantity_is_named_as_it_is_asked() {
+    let text = "
+bank: b
+title: B
+problems:
+  p:
+    title: A collar
+    data:
+      m: {name: mass of the collar, unit: kg, draw: 1 to 3 step 0.1}
+      b: {name: another acceleration, unit: m/s^2, draw: 1 to 3 step 0.1}
+    scene:
+      bodies:
+        arm:    {mass: 3 kg, shape: {rod: 1 m}, moves: in a horizontal plane, angle: from right}
+        collar: {mass: m, moves: in a horizontal plane, placed: [0.4 m, 0 m]}
+      joints: {O: {pins: arm.A}, wire: {guides: collar, on: arm.A}}
+      start: {arm: {angle: 0 deg, spin: 4 rad/s}, collar: {speed: -2 m/s}}
+      end: at once
+    bounds: {wire.normal: {min: 1 N}}
+    mistakes:
+      A24: {values: {wire.normal: 0.5*wire.normal}}
+      A25: {values: {wire.normal: 2*wire.normal}}
+    follows: {n: wire.normal/m + b}
+    questions:
+      N: {quantity: wire.normal, ask: the force on the collar}
+      n: {value: wire.normal/m + b, unit: m/s^2, ask: the force per mass and the other acceleration}
+    statement: s
+";
+    let bank = read(text).expect("a bank");
+    let variant = drawn(&bank.problems[0], "s");
+    let (m, b) = (variant.data[0], variant.data[1]);
+    // The arm turns faster as the collar comes in: alpha = 2 m r v omega/(M l^2/3 + m r^2), with r = 0.4 m.
+    let alpha = 2.0 * m * 0.4 * 2.0 * 4.0 / (1.0 + m * 0.16);
+    let force = m * (2.0 * 2.0 * 4.0 - 0.4 * alpha);
+    let near = |found: f64, expected: f64| {
+        assert!((found - expected).abs() < 1e-12 * expected, "{found} {expected}")
+    };
+    let key = slipstick::problem::make_key::key(&bank.problems[0], &variant);
+    let right = |part: usize| match key.parts[part].answer {
+        slipstick::key::Answer::Number { value, .. } => value,
+        _ => f64::NAN,
+    };
+    near(right(0), force);
+    near(right(1), force / m + b);
+    let wrong = |part: usize| key.parts[part].wrong.iter().map(|w| w.value).collect::<Vec<_>>();
+    let [halved, doubled] = [0.5, 2.0].map(|by| by * force);
+    let found = [wrong(0), wrong(1)].concat();
+    for expected in [halved, doubled, halved / m + b, doubled / m + b] {
+        assert!(found.iter().any(|x| (x - expected).abs() < 1e-12 * expected), "{found:?} {expected}");
+    }
+}
+
 #[test]
 fn what_is_wrong_with_a_question_by_formula_is_told() {
     let none = "cord: {name: other, from: {body: spool, tied at: centre, leaves: back}, pulled with: P}";
