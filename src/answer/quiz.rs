@@ -32,8 +32,6 @@ pub struct QuizAttempt {
     pub ids: [String; 3],
     /// Name, given name first.
     pub name: String,
-    /// When it was begun, as the file says it.
-    pub began: String,
     /// When it was submitted; empty where it was not.
     pub submitted: String,
     /// What was written to the questions, of those that were asked.
@@ -213,12 +211,11 @@ impl QuizReader {
                 ColumnRole::GivenName => given = text(),
                 ColumnRole::FamilyName => family = text(),
                 ColumnRole::FullName => attempt.name = text(),
-                ColumnRole::Began => attempt.began = text(),
                 ColumnRole::Submitted => attempt.submitted = text(),
                 ColumnRole::Response(_) | ColumnRole::Asked => {
                     attempt.answers.extend(self.answer(i, &raw, field))
                 }
-                ColumnRole::Question(_) | ColumnRole::Other => {}
+                ColumnRole::Began | ColumnRole::Question(_) | ColumnRole::Other => {}
             }
         }
         if !(given.is_empty() && family.is_empty()) {

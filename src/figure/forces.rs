@@ -15,8 +15,8 @@ use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
 use crate::problem::maker::Variant;
 use crate::scene::{
-    Attach, Cord, Couple, End, Far, GivenForce, JointKind, Label, Made, Num, Numbers, Owner, Planar,
-    Quantity, Scene, Side, StrutEnd, Surface, Term, Tie, pose,
+    Attach, Couple, End, Far, GivenForce, JointKind, Label, Made, Num, Numbers, Owner, Planar, Quantity,
+    Scene, Side, StrutEnd, Surface, Term, Tie, pose,
 };
 use crate::words::Words;
 
@@ -81,6 +81,10 @@ impl ForceArrow {
     /// The same with its symbol between bars where it is negative.
     fn signed(at: Vec2, towards: Vec2, value: f64, symbol: Vec<TextRun>) -> Self {
         Self::new(at, towards, value, symbol::magnitude(symbol, value < 0.0))
+    }
+    /// The same on this side of what joins two bodies: 1 where the symbol counts it positive as drawn, -1 where the opposite acts.
+    fn on(self, side: f64) -> Self {
+        Self { value: side * self.value, ..self }
     }
     /// In the colour of something else than a force that is given or found.
     fn of(self, role: Role) -> Self {
@@ -275,10 +279,9 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     for (tie, at) in loaded(view, &plan, body, ratio, &bears) {
         let Some(action) = view.scene.ties[tie].actions().find(|a| a.body == body) else { continue };
         let label = symbol::symbol(&names::tension(view, tie));
-        let force = borne(view, tie) * action.along;
+        let force = view.solved(Quantity::RimForce, Owner::Tie(tie)).unwrap_or(0.0);
         let arm = action.arm.map_or_else(Vec::new, |(radius, _)| arm_symbol(view, radius));
-        let label = symbol::magnitude(label, borne(view, tie) < 0.0);
-        forces.push(ForceArrow { arm, ..ForceArrow::new(at, p.forward, force, label) });
+        forces.push(ForceArrow { arm, ..ForceArrow::signed(at, p.forward, force, label).on(action.along) });
     }
     let couples = couples_on(view, body, p.clockwise);
     // Of teeth and belts what turns the body is known, not how they press on its axle.
@@ -397,27 +400,6 @@ fn loaded(
     ties.iter().filter_map(place).collect()
 }
 
-/// The force along the surface between a load and one of its wheels, positive as it acts on the load along its line: the solver tells the
-/// size, the motion of the wheel the sense.
-fn borne(view: &SceneView, tie: usize) -> f64 {
-    let size = view.solved(Quantity::RimForce, Owner::Tie(tie)).unwrap_or(0.0);
-    let Some(Tie::Cord(Cord { to: Far::Body(end), .. })) = view.scene.ties.get(tie) else { return 0.0 };
-    let (wheel, action) = (&view.scene.bodies[end.body], end.action());
-    let own = view.numbers(wheel);
-    let Some(line) = wheel.line else {
-        let turned = own.inertia * found(view, Quantity::Alpha, end.body);
-        return size.copysign(turned * action.arm.map_or(1.0, |(_, sense)| sense));
-    };
-    let contact = view.scene.ties.iter().position(|t| t.touching() == Some(end.body));
-    let friction = contact.and_then(|t| {
-        let by_tie = view.solved(Quantity::Friction, Owner::Tie(t));
-        view.solved(Quantity::Friction, Owner::Body(end.body)).or(by_tie)
-    });
-    let rubs = friction.unwrap_or(0.0) * if line.forward_up { 1.0 } else { -1.0 };
-    let weight = own.mass * view.of(view.scene.gravity_m_s2) * own.climb;
-    size.copysign((own.mass * found(view, Quantity::A, end.body) - rubs + weight) * action.along)
-}
-
 /// The apparent force at the mass centre of a body that is carried.
 fn apparent(view: &SceneView, body: usize, centre: Vec2) -> Option<ForceArrow> {
     let carrier = view.scene.carried?;
@@ -519,15 +501,21 @@ fn cords(
         // The same actions from which the rows of the equations of motion are made.
         for pull in tie.actions().filter(|a| a.body == body) {
             let Some((_, towards)) = run.at.iter().find(|(b, _)| *b == body) else { continue };
-            let at = match pull.arm {
+            let away = |radius: Num| (view.of(radius) * plan.scale * ratio).max(2.0);
+            let (at, towards) = match pull.arm {
                 None => match &p.look {
-                    BodyLook::Block { .. } => p.centre + *towards * p.reach(*towards),
-                    BodyLook::Wheel { .. } => p.centre,
+                    BodyLook::Block { .. } => (p.centre + *towards * p.reach(*towards), *towards),
+                    BodyLook::Wheel { .. } => (p.centre, *towards),
                 },
+                // Teeth touch on the line of the centres, and press along the rims.
+                Some((radius, sense)) if cord.made == Made::Teeth => {
+                    let along = if p.clockwise { towards.right() } else { towards.left() };
+                    (p.centre + *towards * away(radius), along * (sense * pull.along))
+                }
                 Some((radius, sense)) => {
                     let side = if sense * pull.along > 0.0 { Side::Top } else { Side::Bottom };
                     let out = p.winds(side, pull.along > 0.0, *towards);
-                    p.centre + out * (view.of(radius) * plan.scale * ratio).max(2.0)
+                    (p.centre + out * away(radius), *towards)
                 }
             };
             let (label, value) = match cord.to {
@@ -539,7 +527,7 @@ fn cords(
             };
             let label = if label.is_empty() { symbol::symbol("P") } else { label };
             let arm = pull.arm.map_or_else(Vec::new, |(radius, _)| arm_symbol(view, radius));
-            forces.push(ForceArrow { arm, ..ForceArrow::signed(at, *towards, value, label) });
+            forces.push(ForceArrow { arm, ..ForceArrow::signed(at, towards, value, label) });
         }
     }
 }
@@ -704,36 +692,34 @@ fn joint_forces(view: &SceneView, plane: &PlaneLayout, laid: &[Laid], body: usiz
                     for (symbol, quantity, towards) in
                         [("X", Quantity::PinX, Vec2::RIGHT), ("Y", Quantity::PinY, Vec2::UP)]
                     {
-                        forces.push(force(at, side * found(quantity), towards, name(j, symbol)));
+                        forces.push(force(at, found(quantity), towards, name(j, symbol)).on(side));
                     }
                 }
                 JointKind::Guide { at, line, mu_k, .. } => {
                     // What carries the line is pressed where the other body is.
                     let at = plane.spot(view, laid, at);
                     let direction = plane.direction(view, laid, line);
-                    let normal = side * found(Quantity::Normal);
-                    forces.push(pressing(j, at, normal, direction.left(), name(j, "N")));
+                    let normal = found(Quantity::Normal);
+                    forces.push(pressing(j, at, normal, direction.left(), name(j, "N")).on(side));
                     if mu_k.is_some() {
                         let up = pose::upward([direction.x, direction.y]);
-                        let rubs = side * found(Quantity::Friction);
-                        forces.push(force(at, rubs, direction * up, name(j, "F")).of(Role::Friction));
+                        let rubs = force(at, found(Quantity::Friction), direction * up, name(j, "F"));
+                        forces.push(rubs.on(side).of(Role::Friction));
                     }
                 }
                 JointKind::Contact { at, radius_m, surface, rolls, mu_k, teeth } => {
                     let at = plane.spot(view, laid, at);
                     let normal = plane.normal(view, laid, surface, at);
                     let foot = at - normal * (view.of(radius_m) * plane.scale);
-                    forces.push(pressing(j, foot, side * found(Quantity::Normal), normal, name(j, "N")));
+                    forces.push(pressing(j, foot, found(Quantity::Normal), normal, name(j, "N")).on(side));
                     if rolls || mu_k.is_some() {
                         let right = normal.right();
                         let (quantity, up) = match teeth {
                             true => (Quantity::RimForce, 1.0),
                             false => (Quantity::Friction, pose::upward([right.x, right.y])),
                         };
-                        let along = right * up;
-                        forces.push(
-                            force(foot, side * found(quantity), along, name(j, "F")).of(Role::Friction),
-                        );
+                        let rubs = force(foot, found(quantity), right * up, name(j, "F"));
+                        forces.push(rubs.on(side).of(Role::Friction));
                     }
                 }
                 JointKind::Cord { place_m, beyond, .. } => {
@@ -778,7 +764,9 @@ fn couples_in_the_plane(view: &SceneView, body: usize, clockwise: bool) -> Vec<T
     for j in 0..view.scene.joints.len() {
         let Some(moment) = view.solved(Quantity::Moment, Owner::Joint(j)) else { continue };
         for (i, _) in view.scene.joints[j].kind.spots().enumerate().filter(|(_, s)| s.body == body) {
-            couples.push(Turning::signed(if i == 0 { moment } else { -moment }, name(view, j, "M")));
+            let side = if i == 0 { 1.0 } else { -1.0 };
+            let couple = Turning::signed(moment, name(view, j, "M"));
+            couples.push(Turning { value: side * moment, ..couple });
         }
     }
     let twisting = view.scene.struts.iter().enumerate().filter(|(_, strut)| strut.at.body == body);

@@ -289,6 +289,9 @@ impl MatchedQuiz {
         for (i, attempt) in quiz.attempts.iter().enumerate() {
             variants.rows(i, attempt, quiz.platform, &mut rows);
         }
+        // Where the first attempt counts, one that was never submitted comes last, and else before those that were: it replaces none.
+        let last = policy.attempts.counts == Counts::First;
+        rows.sort_by_key(|row| quiz.attempts[row.attempt].submitted.is_empty() == last);
         let unknown = unknown_codes(&rows);
         if !unknown.is_empty() && !rows.iter().any(|row| row.of.is_some()) {
             return Err(no_code(quiz, &variants, &unknown));
@@ -419,9 +422,8 @@ fn not_asked(set: &StoredSet, problems: &[usize]) -> String {
 /// Which variants each student answered, in the order of the attempts; where a part was not answered, the last that was asked.
 fn asked(quiz: &Quiz, rows: &[QuizRow], takers: &Takers, policy: &Policy) -> AskedVariants {
     let time = |attempt: usize| {
-        let QuizAttempt { began, submitted, .. } = &quiz.attempts[attempt];
-        let text = if submitted.is_empty() { began } else { submitted };
-        policy.zone.read(text).map(|m| m.micros[usize::from(policy.day_first == Some(false))])
+        let submitted = &quiz.attempts[attempt].submitted;
+        policy.zone.read(submitted).map(|m| m.micros[usize::from(policy.day_first == Some(false))])
     };
     let times: Vec<Option<i64>> = (0..quiz.attempts.len()).map(time).collect();
     let mut found: HashMap<StudentPart, Vec<Answered>> = HashMap::new();

@@ -20,6 +20,8 @@ pub struct Staged {
     folder: TempDir,
     new: PathBuf,
     place: PathBuf,
+    /// Something stood in the place when it was begun: it may be replaced. What another run has put there since may not.
+    replaces: bool,
 }
 
 impl Staged {
@@ -37,7 +39,7 @@ impl Staged {
         fs::write(folder.path().join(OWNER), owner).map_err(fault)?;
         let new = folder.path().join(NEW);
         fs::create_dir(&new).map_err(fault)?;
-        Ok(Self { folder, new, place: place.to_owned() })
+        Ok(Self { folder, new, place: place.to_owned(), replaces: place.exists() })
     }
     /// Where to write for now.
     pub fn path(&self) -> &Path {
@@ -67,11 +69,10 @@ impl Staged {
     }
     /// Puts it in its place; what stood there goes away only then. Errors: a finding that names the folder.
     pub fn finish(self) -> Result<(), Finding> {
-        let Self { folder, new, place } = self;
+        let Self { folder, new, place, replaces } = self;
         let fault = trouble(&place, "cannot be put in its place");
         let old = folder.path().join(OLD);
-        let replaces = place.exists();
-        if replaces {
+        if replaces && place.exists() {
             fs::rename(&place, &old).map_err(fault)?;
         }
         if let Err(error) = fs::rename(&new, &place) {

@@ -4,7 +4,7 @@ use jiff::civil::{Date, date};
 
 const EPOCH: Date = date(1970, 1, 1);
 
-/// Whether a column writes the day or the month first, as far as its dates with slashes or points prove it.
+/// Whether a column writes the day or the month first, as far as its dates with slashes or dashes prove it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Evidence {
     /// A date such as 25/3/2026 was seen.
@@ -213,7 +213,9 @@ fn dated(text: &str) -> Option<Moment> {
     }
     let year = if length == 2 { full_year(c) } else { c };
     let (day_first, month_first) = (moment(year, b, a), moment(year, a, b));
-    let evidence = Evidence { day_first: a > 12 && b <= 12, month_first: b > 12 && a <= 12 };
+    // A date with points has the day first in any case, and tells nothing of others.
+    let tells = |first, second| separator != '.' && first > 12 && second <= 12;
+    let evidence = Evidence { day_first: tells(a, b), month_first: tells(b, a) };
     let [x, y] = [day_first.or(month_first)?, month_first.or(day_first)?].map(|one| one.micros[0]);
     let uncertain = (x != y).then_some(separator == '.');
     Some(Moment { micros: [x, y], uncertain, evidence, whole_day, ..clock })
@@ -525,6 +527,8 @@ mod tests {
     fn the_column_decides_the_order_of_day_and_month() {
         let day = parse("25/3/2026").unwrap().evidence;
         let month = parse("3/25/2026").unwrap().evidence;
+        // In a list of both, this one tells nothing of those with slashes.
+        assert_eq!(parse("25.3.2026").unwrap().evidence, Evidence::default());
         let uncertain = parse("3/4/2026").unwrap();
         assert_eq!((uncertain.uncertain, uncertain.evidence), (Some(false), Evidence::default()));
         assert_eq!(Some(uncertain.micros[day.choice()]), parse("2026-04-03").map(|m| m.micros[0]));

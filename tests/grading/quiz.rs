@@ -168,10 +168,22 @@ fn a_moodle_quiz_over_a_pool() {
     let moodle = room.read("g/gradebook-moodle.csv");
     assert!(moodle.starts_with("ID number,Name,") && moodle.contains("0017,Amina Yusuf,10,"), "{moodle}");
     assert!(!room.read("g/report.html").contains("<script>alert(1)"));
+    // A third attempt that is still open takes the place of none that was submitted, wherever it stands in the file.
+    let begin = quiz.find("Yusuf,Amina,0017,amina@example.org,Finished,\"3 March").unwrap();
+    let second =
+        &quiz[begin..][..1 + quiz[begin..].find("\"\n").or_else(|| quiz[begin..].find("-\n")).unwrap()];
+    let open = second.replacen("Finished", "In progress", 1).replacen("3 March 2026  9:20 AM", "-", 1);
+    let open = format!("{}\n", open.replace(&room.place("key v0002 2 v"), "1"));
+    let last = format!("{}\n{open}", quiz.trim_end());
+    let first = [&quiz[..begin], &open, &quiz[begin..]].concat();
     // The other ways to choose among attempts.
-    for (attempts, omega, v) in [("first", "right 1", "wrong 0"), ("best", "right 1", "right 2")] {
-        room.graded(quiz.as_bytes(), "g", &["--attempts", attempts]);
-        assert_eq!((of("1.omega"), of("2.v")), (omega.to_owned(), v.to_owned()), "{attempts}");
+    for (attempts, omega, v) in
+        [("first", "right 1", "wrong 0"), ("best", "right 1", "right 2"), ("last", "wrong 0", "right 2")]
+    {
+        for text in [&*quiz, &last, &first] {
+            room.graded(text.as_bytes(), "g", &["--attempts", attempts]);
+            assert_eq!((of("1.omega"), of("2.v")), (omega.to_owned(), v.to_owned()), "{attempts}");
+        }
     }
 }
 

@@ -1447,7 +1447,7 @@ problems:
                 "`1.pin_radial`, in\u{a0}N, positive toward the pin\n",
                 "`1.pin_tangential`, in\u{a0}N\n",
                 "`2.direction`, `forward` or `back`, a clockwise turn is `forward`",
-                "in\u{a0}deg, signed or with `clockwise` / `counter-clockwise`, counted clockwise from straight up",
+                "in\u{a0}deg, signed (positive: clockwise) or with `clockwise` / `counter-clockwise`, counted clockwise from straight up",
             ],
         ),
         (
@@ -1456,7 +1456,7 @@ problems:
                 "`1.pin_radial`, in\u{a0}N, positiv zum Lager hin\n",
                 "`1.pin_tangential`, in\u{a0}N, positiv im Sinn eines wachsenden Winkels\n",
                 "eine Drehung im Uhrzeigersinn ist `vorwärts`",
-                "in\u{a0}deg, mit Vorzeichen oder mit `im Uhrzeigersinn` / `gegen den Uhrzeigersinn`, von oben aus im Uhrzeigersinn gezählt",
+                "in\u{a0}deg, mit Vorzeichen (positiv: im Uhrzeigersinn) oder mit `im Uhrzeigersinn` / `gegen den Uhrzeigersinn`, von oben aus im Uhrzeigersinn gezählt",
             ],
         ),
     ] {

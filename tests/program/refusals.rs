@@ -1393,7 +1393,10 @@ ties: [slips: {body: sphere, on its: rim, mu_s: 0.3, mu_k: 0.25}]
 start: {sphere: {speed: 0 m/s, spin: 0 rad/s}}
 end: {stops slipping: sphere}";
     for (asked, told) in [
-        ("{quantity: friction, ask: f, unit: N}", "signed or with `forward` / `back`, just before the end"),
+        (
+            "{quantity: friction, ask: f, unit: N}",
+            "signed (positive: forward) or with `forward` / `back`, just before the end",
+        ),
         ("{quantity: direction, ask: d}", "`forward` or `back`, at the end, relative to the moving support"),
     ] {
         let sheet = room.sheet(&constant("m/s, draw: always 4", scene, asked));

@@ -509,3 +509,23 @@ fn formula_like_ids_come_back_through_every_file() {
     );
     assert!(cells_that_run(&room, &["roster.csv"]) > 500);
 }
+
+/// Both had looked before either was done.
+#[test]
+fn of_two_runs_into_one_new_folder_the_first_stays() {
+    let room = Room::new();
+    let place = Path::new(&room.path("new")).to_owned();
+    let [first, second] = ["first", "second"].map(|name| {
+        let staged = slipstick::folder::staged::Staged::new(&place).unwrap();
+        staged.write("who", name.as_bytes()).unwrap();
+        staged
+    });
+    first.finish().unwrap();
+    let refused = second.finish().unwrap_err().to_string();
+    assert!(
+        refused.contains("cannot be put in its place: something else of this name is in the way"),
+        "{refused}"
+    );
+    assert_eq!(fs::read_to_string(place.join("who")).unwrap(), "first");
+    assert_eq!(room.unfinished(), Vec::<String>::new());
+}

@@ -935,8 +935,7 @@ impl<'a, T: Real> Ledger<'a, T> {
                 Tie::Cord(c) => match c.to {
                     Far::Pull(_) => {}
                     Far::Spring { .. } => self.say(Quantity::Tension, Owner::Tie(t), self.pull_of(t, pulls)),
-                    _ if c.force() != Quantity::Tension => self.say(c.force(), Owner::Tie(t), held[t].abs()),
-                    Far::Body(_) | Far::Fixed => self.say(Quantity::Tension, Owner::Tie(t), held[t]),
+                    Far::Body(_) | Far::Fixed => self.say(c.force(), Owner::Tie(t), held[t]),
                 },
             }
         }

@@ -1308,7 +1308,6 @@ impl<'a, T: Real> Walk<'a, T> {
                         let ends = tie.actions().map(|end| end.body);
                         let forces = ends.map(|b| self.friction_scale(&self.response, b, f, pulls));
                         let scale = if f.is_zero() { forces.fold(0.0, f64::max) } else { f.size() };
-                        let f = if c.force() == Quantity::Tension { f } else { f.abs() };
                         self.say_scaled(c.force(), Owner::Tie(t), f, scale);
                     }
                 },
