@@ -4,6 +4,7 @@ use crate::csv_field::unguarded;
 use crate::finding::{Finding, Findings};
 use rustc_hash::FxHashMap;
 use std::io::Cursor;
+use unicode_normalization::UnicodeNormalization;
 
 /// Reads a roster: columns `student` and, if there is one, `name`; encodings and delimiters as for submissions.
 /// Gives (id, name) in the order of the file.
@@ -73,10 +74,10 @@ pub fn roster(bytes: &[u8]) -> Result<Vec<(String, String)>, Findings> {
             refuse(format!("`{}` has a control character", id.escape_debug()), "");
         } else if id.len() > 100 {
             refuse("the id is longer than 100 bytes".to_owned(), "");
-        } else if let Some(first) = seen.get(&id) {
+        } else if let Some(first) = seen.get(&composed(&id)) {
             refuse(format!("`{id}` stands on lines {first} and {line}"), "keep one of them");
         } else {
-            seen.insert(id.clone(), line);
+            seen.insert(composed(&id), line);
             all.push((id, name.map(text).unwrap_or_default()));
         }
     });
@@ -85,6 +86,23 @@ pub fn roster(bytes: &[u8]) -> Result<Vec<(String, String)>, Findings> {
         findings.push(Finding::new("roster", "no student").at(place(header.line), 1));
     }
     findings.into_result(all)
+}
+
+/// An accent may be coded with its letter, or as a mark of its own behind it: nobody sees which.
+fn composed(id: &str) -> String {
+    id.nfc().collect()
+}
+
+/// What ids share that people take for one: upper and lower case are alike, and so are the codes of an accent and the forms of an
+/// apostrophe.
+///
+/// ```
+/// use slipstick::answer::roster::folded;
+/// assert_eq!((folded("Jose\u{301}"), folded("O\u{2019}Neil")), (folded("JOS\u{c9}"), folded("o'neil")));
+/// ```
+pub fn folded(id: &str) -> String {
+    let apostrophe = |c: char| if matches!(c, '\u{2018}' | '\u{2019}' | '\u{b4}' | '`') { '\'' } else { c };
+    id.nfc().map(apostrophe).flat_map(char::to_lowercase).collect()
 }
 
 fn line_break(c: char) -> bool {

@@ -24,15 +24,14 @@ impl UnitCache {
         }
         let said = spoken(text);
         let said = said.as_deref().unwrap_or(text);
-        let found = match Unit::parse(said) {
-            Ok(unit) => Ok((unit, false)),
-            Err(_) => Unit::parse_any_case(said),
+        let read = Unit::parse(said).map(|unit| (unit, false)).or_else(|_| Unit::parse_any_case(said));
+        let found = match (read, otherwise(said).map(Arc::new)) {
+            (Ok((unit, case_forgiven)), otherwise) => {
+                Ok(SpelledUnit { unit: Arc::new(unit), case_forgiven, otherwise })
+            }
+            (Err(_), Some(unit)) => Ok(SpelledUnit { unit, case_forgiven: false, otherwise: None }),
+            (Err(fault), None) => Err(fault),
         };
-        let found = found.map(|(unit, case_forgiven)| SpelledUnit {
-            unit: Arc::new(unit),
-            case_forgiven,
-            otherwise: otherwise(said).map(Arc::new),
-        });
         if self.known.len() < 512 && text.len() <= 64 {
             self.known.insert(text.into(), found.clone());
         }
@@ -40,30 +39,42 @@ impl UnitCache {
     }
 }
 
-/// The other meaning of a unit that has two: pounds are a mass or a force; `kn` is a knot, or kN by a slip of the shift key.
+/// The other meaning of a unit that has two: pounds are a mass or a force; `kn` is a knot, or kN by a slip of the shift key; `ms^-1` is
+/// one over a millisecond, or a metre per second written together.
 fn otherwise(text: &str) -> Option<Unit> {
     let mut other = String::with_capacity(text.len() + 4);
     let mut changed = false;
     for piece in text.split_inclusive(|c: char| !c.is_alphabetic()) {
         let name = piece.trim_end_matches(|c: char| !c.is_alphabetic());
+        let mark = piece[name.len()..].starts_with(['^', '*', '-', '⁻', '\u{2212}', '²', '³']);
         let meant = match name {
-            "kn" => Some("knot"),
+            "kn" => Some("knot".to_owned()),
             name if ["lb", "lbs", "pound", "pounds"].iter().any(|p| p.eq_ignore_ascii_case(name)) => {
-                Some("lbf")
+                Some("lbf".to_owned())
             }
+            name if mark => apart(name),
             _ => None,
         };
         changed |= meant.is_some();
-        other.push_str(meant.unwrap_or(name));
+        other.push_str(meant.as_deref().unwrap_or(name));
         other.push_str(&piece[name.len()..]);
     }
     if changed { Unit::parse(&other).ok() } else { None }
+}
+
+/// Units written together, of which an exponent belongs to the last: `rad s` for `rads`.
+fn apart(name: &str) -> Option<String> {
+    ["s", "m"].iter().find_map(|last| {
+        let before = name.strip_suffix(last).filter(|before| Unit::parse(before).is_ok())?;
+        Some(format!("{before} {last}"))
+    })
 }
 
 /// `radians per second squared` as `radians/second^2`; `None` where nothing is spoken.
 fn spoken(text: &str) -> Option<String> {
     let plain = text
         .replace(" per ", "/")
+        .replace(" pro ", "/")
         .replace(" squared", "^2")
         .replace("Umdr./", "Umdr/")
         .replace("Umdr. /", "Umdr/");

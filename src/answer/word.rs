@@ -117,7 +117,7 @@ pub fn spellings(word: &str) -> Vec<&'static str> {
 /// Words that say nothing more beside them.
 const FILLERS: &str = "the a an incline inclined plane slope ramp track along to at acting acts directed pointing points \
     moves it is in direction nach die der den dem im schiefe schiefen ebene bahn es das rad kraft wirkt zeigt \
-    gerichtet entlang längs richtung stehen könnte kann würde sich bewegt could have would will does \
+    gerichtet entlang längs richtung stehen könnte kann würde sich bewegt could have would will does do \
     put remains wheel";
 
 /// Is it one of these words?
@@ -157,7 +157,9 @@ pub(crate) fn phrase(text: &str) -> Option<Result<AnswerWord, WhyUnreadable>> {
             return None;
         }
     }
-    let word = match (found?, against) {
+    // `It slips` is an answer by itself.
+    let said = rolls.map(|rolls| if rolls == denied { AnswerWord::No } else { AnswerWord::Yes });
+    let word = match (found.or(said)?, against) {
         (AnswerWord::Clockwise, true) => AnswerWord::CounterClockwise,
         (_, true) => return None,
         (word, false) => word,

@@ -189,13 +189,13 @@ fn clean(text: &str) -> String {
 
 impl Takers {
     fn new(quiz: &Quiz, set: &StoredSet) -> Self {
-        let small = |s: &StoredStudent| (s.student.to_lowercase(), s.student.clone());
-        let roster: HashMap<String, String> = set.students.iter().map(small).collect();
+        let small = |s: &StoredStudent| (roster::folded(&s.student), s.student.clone());
+        let listed: HashMap<String, String> = set.students.iter().map(small).collect();
         let exact: BTreeSet<&str> = set.students.iter().map(|s| s.student.as_str()).collect();
         let on_roster = |attempt: &QuizAttempt| {
             let ids = || attempt.ids.iter().map(|id| id.trim()).filter(|id| !id.is_empty());
             let same = ids().find(|id| exact.contains(id)).map(str::to_owned);
-            same.or_else(|| ids().find_map(|id| roster.get(&id.to_lowercase()).cloned()))
+            same.or_else(|| ids().find_map(|id| listed.get(&roster::folded(id)).cloned()))
         };
         let known: Vec<Option<String>> = quiz.attempts.iter().map(on_roster).collect();
         // One kind of id for all, where there is one: a platform looks all up by the same.
@@ -289,9 +289,6 @@ impl MatchedQuiz {
         for (i, attempt) in quiz.attempts.iter().enumerate() {
             variants.rows(i, attempt, quiz.platform, &mut rows);
         }
-        // Where the first attempt counts, one that was never submitted comes last, and else before those that were: it replaces none.
-        let last = policy.attempts.counts == Counts::First;
-        rows.sort_by_key(|row| quiz.attempts[row.attempt].submitted.is_empty() == last);
         let unknown = unknown_codes(&rows);
         if !unknown.is_empty() && !rows.iter().any(|row| row.of.is_some()) {
             return Err(no_code(quiz, &variants, &unknown));
@@ -439,6 +436,9 @@ fn asked(quiz: &Quiz, rows: &[QuizRow], takers: &Takers, policy: &Policy) -> Ask
         if all.iter().all(|(attempt, ..)| times[*attempt].is_some()) {
             all.sort_by_key(|(attempt, ..)| times[*attempt]);
         }
+        // One that was never submitted replaces none: where the first counts it comes last, and else first.
+        let first_counts = policy.attempts.counts == Counts::First;
+        all.sort_by_key(|(attempt, ..)| quiz.attempts[*attempt].submitted.is_empty() == first_counts);
         let last = all.last().map(|(_, s, _)| *s);
         let mut order = Vec::new();
         for (_, s, _) in all.iter().filter(|(_, _, answered)| *answered).take(most) {

@@ -51,6 +51,11 @@ impl FileLayout {
         let told = self.told_line.and_then(|at| std::str::from_utf8(record.get(at)?).ok()?.parse().ok());
         told.unwrap_or(record.line)
     }
+    /// Is it of an attempt at a quiz that was never submitted?
+    pub fn is_open(&self, record: &Record) -> bool {
+        let submitted = self.submitted.filter(|_| self.told_line.is_some());
+        submitted.is_some_and(|at| trimmed(record.get(at).unwrap_or_default()).is_empty())
+    }
 }
 
 /// Why a record is one unreadable line, or that nothing stands in it.

@@ -101,7 +101,7 @@ pub struct Graded {
     pub untimed: u64,
     /// Lateness bears on marks, and so many of the answers that count have no time that can be read.
     pub undated: u64,
-    /// Answers under an id that differs in upper and lower case alone from that of the roster.
+    /// Answers under an id that differs from that of the roster as [`crate::answer::roster::folded`] allows.
     pub respelled: u64,
     /// Columns of the file that were not used.
     pub unused_columns: Vec<String>,

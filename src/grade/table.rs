@@ -1,4 +1,5 @@
 //! The keys of a whole set, laid out for looking up by bytes.
+use crate::answer::roster::folded;
 use crate::csv_field::unguarded;
 use crate::grade::feedback::Feedback;
 use crate::grade::id_index::Ids;
@@ -83,8 +84,8 @@ pub struct KeyTable {
     /// For each column the first one of its problem.
     first: Vec<usize>,
     by_id: Ids,
-    /// In small letters; `None` where two ids differ in nothing else.
-    by_small_id: FxHashMap<String, Option<u32>>,
+    /// As [`folded`] has it; `None` where two ids differ in nothing else.
+    by_folded_id: FxHashMap<String, Option<u32>>,
     by_loose_id: FxHashMap<String, Option<u32>>,
     by_part: Ids,
     by_loose_part: FxHashMap<Vec<u8>, Option<u32>>,
@@ -186,7 +187,7 @@ impl KeyTable {
                 table.quick.push(quick);
             }
             table.by_id.put(sheet.student.as_bytes(), s);
-            put_once(&mut table.by_small_id, sheet.student.to_lowercase(), s);
+            put_once(&mut table.by_folded_id, folded(&sheet.student), s);
             put_once(&mut table.by_loose_id, loose_id(&sheet.student), s);
             let name = names.get(sheet.student.as_str()).map_or(String::new(), |n| (*n).to_owned());
             table.students.push(TableStudent { id: sheet.student.clone(), name });
@@ -207,15 +208,15 @@ impl KeyTable {
         joined(row.problem.as_bytes(), row.part.as_bytes(), &mut key);
         Some((student as usize, self.by_part.get(&key)? as usize))
     }
-    /// Index of a student whose id was guarded against spreadsheets, or differs in upper and lower case alone from one on the
-    /// roster, and is no other's; `true`: the case differs.
+    /// Index of a student whose id was guarded against spreadsheets, or differs from one on the roster in nothing that [`folded`]
+    /// keeps, and is no other's; `true`: it differs.
     #[cold]
     pub(crate) fn student_by_case(&self, id: &[u8]) -> Option<(u32, bool)> {
         let id = unguarded(std::str::from_utf8(id).ok()?);
         if let Some(exact) = self.student(id.as_bytes()) {
             return Some((exact, false));
         }
-        let found = self.by_small_id.get(&id.to_lowercase()).copied().flatten()?;
+        let found = self.by_folded_id.get(&folded(id)).copied().flatten()?;
         Some((found, true))
     }
     /// Index of a column by number or id of the problem and id of the part; `key` is from [`joined`].

@@ -144,7 +144,10 @@ impl AttemptWalk<'_> {
             if let Some(moment) = time {
                 evidence.join(moment.evidence);
             }
-            cells(record, job.layout, |cell| noted.push(self.cell(cell, time, (finder, numbers), tally)));
+            let open = job.layout.is_open(record);
+            cells(record, job.layout, |cell| {
+                noted.push(self.cell(cell, (time, open), (finder, numbers), tally));
+            });
         });
         if self.level.is_none() && noted.len() <= *room {
             *room -= noted.len();
@@ -157,7 +160,7 @@ impl AttemptWalk<'_> {
     fn cell(
         &self,
         cell: &AnswerCell,
-        time: Option<Moment>,
+        (time, open): (Option<Moment>, bool),
         (finder, numbers): (&mut Finder, &mut SiReader),
         tally: &mut AttemptTally,
     ) -> CellNote {
@@ -167,7 +170,11 @@ impl AttemptWalk<'_> {
         if belongs.of_another || self.level.is_some_and(|level| job.rules.levels[what as usize] != level) {
             return CellNote::NONE;
         }
-        let Some(worth) = self.worth((who, what), cell.answer, numbers) else { return CellNote::NONE };
+        let Some(mut worth) = self.worth((who, what), cell.answer, numbers) else { return CellNote::NONE };
+        if open {
+            // It replaces no answer that was submitted and can be read.
+            worth.class = worth.class.min(attempt::UNREADABLE);
+        }
         let (index, at) = (job.index(who, what), cell.place());
         let attempts = &job.rules.policy.attempts;
         match tally {

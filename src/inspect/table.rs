@@ -9,7 +9,7 @@ use crate::scene::{Label, Quantity};
 use crate::sheet::terminal;
 use crate::solve::ladder::{self, Taken, Wish};
 use crate::solve::method::Rung;
-use crate::solve::outcome::Solved;
+use crate::solve::outcome::{Entry, Solved};
 use crate::words::Words;
 use std::fmt::Write as _;
 
@@ -105,7 +105,10 @@ pub fn json(problem: &Problem, case: usize, solved: &Solved, taken: &Taken) -> S
     let questions = problem.questions.iter().map(|question| {
         let value = match solved.word(question.label) {
             Some(word) => string(word.as_str()),
-            None => number(solved.get(question.label).map(|e| question.unit.from_si(e.value()))),
+            None => {
+                let asked = |e: &Entry| question.unit.from_si(scene.as_asked(e.label, e.value()));
+                number(solved.get(question.label).map(asked))
+            }
         };
         let (id, quantity) = (string(&question.id), string(&scene.name_of(question.label)));
         let unit = string(if question.label.quantity.is_word() { "" } else { question.unit.ascii() });
@@ -159,9 +162,9 @@ fn rows<'s>(problem: &'s Problem, case: usize, solved: &'s Solved, taken: &Taken
             name: scene.name_of(e.label),
             unit: scene.unit(e.label),
             word: None,
-            value: Some(e.value()),
-            eom: e.eom,
-            energy: e.energy,
+            value: Some(scene.as_asked(e.label, e.value())),
+            eom: e.eom.map(|value| scene.as_asked(e.label, value)),
+            energy: e.energy.map(|value| scene.as_asked(e.label, value)),
             gap: e.gap(),
             cond: Some(e.cond),
             bound: e.bound,

@@ -42,7 +42,7 @@ pub fn grades(table: &KeyTable, graded: &run::Graded, policy: &Policy) -> String
     let unread = policy.late.unread.map_or("in time", Unread::as_str);
     let notes = [
         (graded.count(Verdict::UnknownStudent), "Not counted: ", " under an id that is not on the roster (`unknown student` in answers.csv). Spreadsheets turn 0017 into 17.".to_owned()),
-        (graded.respelled, "", " came under an id that differs from the roster's in upper and lower case alone, and count.".to_owned()),
+        (graded.respelled, "", " came under an id that differs from the roster's only in case or in how an accent or apostrophe is coded, and count.".to_owned()),
         (graded.undated, "", format!(" that count have no submitted_at that can be read, and are taken as {unread}.")),
         (graded.untimed, "The attempts at ", " were ordered by row, because a submitted_at cannot be read.".to_owned()),
     ];

@@ -461,6 +461,9 @@ fn form(
             add(words.get("sheet.whole_turns"));
         }
     }
+    if let Some([least, most]) = looked_for(problem, scene, q.label) {
+        add(&words.say("sheet.between", &[("least", &words.number(&least)), ("most", &words.number(&most))]));
+    }
     // The other body feels the opposite.
     let joint = match q.label.of {
         Owner::Joint(j) => scene.joints.get(j).map(|joint| joint.kind),
@@ -489,6 +492,16 @@ fn form(
         add(words.get("sheet.with_unit"));
     }
     text
+}
+
+/// The ends of the range in which the datum lies that is found and asked here: another value may give the same measurement.
+fn looked_for(problem: &Problem, scene: &Scene, label: Label) -> Option<[String; 2]> {
+    let (Owner::Asked(i), Some(found)) = (label.of, scene.formulas.found) else { return None };
+    let asked = &scene.formulas.asked.get(i)?.formula;
+    let alone = asked.steps().len() == 1 && asked.names().all(|term| term == Term::Given(found.unknown));
+    let datum = problem.data.get(found.unknown.datum).filter(|_| alone)?;
+    let (least, most) = datum.unknown.as_ref()?.range();
+    Some([least, most].map(|end| printed(problem, found.unknown.datum, end)))
 }
 
 /// Has what a formula asks a sign? One of magnitudes alone has none that need be told, nor a root or a square.

@@ -1193,10 +1193,9 @@ impl<'d, 'a> Account<'d, 'a> {
         if let Some(symbol) = self.known(label) {
             return Ok(symbol);
         }
-        // The force between two rims is asked as a magnitude.
+        // In the equations the force between two rims is a tension.
         if let (Quantity::RimForce, Owner::Tie(tie)) = (label.quantity, label.of) {
-            let force = self.get(of_tie(Quantity::Tension, tie))?;
-            return Ok(self.sized(force));
+            return self.get(of_tie(Quantity::Tension, tie));
         }
         let body = match label.of {
             Owner::Body(b) => b,
