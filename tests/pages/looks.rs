@@ -71,7 +71,11 @@ fn a_body_looks_like_what_it_is() {
     assert!((round[0].1 / long - 0.2 / 0.8).abs() < 1e-6, "{round:?} {rod:?}");
     assert_eq!(polygons(&disc, Role::Body).len(), 1);
     let ball = arm("");
-    assert!(circles(&ball, Role::Body)[0].1 < 12.0 && ball.desc.contains("the particle"), "{}", ball.desc);
+    assert!(
+        circles(&ball, Role::Body)[0].1 < 12.0 && ball.desc.contains("The particle sits at B of the rod."),
+        "{}",
+        ball.desc
+    );
     assert_eq!(polygons(&ball, Role::Body).len(), 1);
 
     let rolls = |inertia: &str| {
