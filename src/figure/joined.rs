@@ -1139,9 +1139,10 @@ fn sizes(board: &mut Board, view: &SceneView, plane: &PlaneLayout, body: usize) 
     let out = free_side(view, plane, body);
     let mut rows = Vec::new();
     if let Some((n, weight)) = view.mass(this) {
+        let several = view.scene.bodies.iter().filter(|body| !body.turns).count() > 1;
         let before = match this.removed {
             true => symbol::upright("−\u{2009}"),
-            false if view.scene.restitution.is_some() && !this.turns => {
+            false if view.scene.restitution.is_some() && !this.turns && several => {
                 // Which of the bodies that meet is which.
                 let tag = &names::tags(view.problem, view.scene)[body];
                 [symbol::symbol(tag), symbol::upright(":\u{a0}")].concat()
