@@ -389,13 +389,7 @@ impl SceneReader<'_> {
         for (name, key, value) in
             some_named(node, "bodies by name", "a scene has at least one body", self.faults)
         {
-            if !plain_name(name) {
-                self.faults.hint(
-                    key,
-                    format!("`{}` is no name for a body", shorten(name)),
-                    "letters, digits and `_`, beginning with a letter",
-                );
-            }
+            check_name(key, name, "a body", self.faults);
             bodies.push(self.body(name, value, surfaces));
         }
         let used = |surface: &NamedSurface| {
@@ -718,46 +712,39 @@ impl SceneReader<'_> {
             else {
                 continue;
             };
-            if word == "force" || word == "impulse" {
-                let blow = word == "impulse";
-                let count = list.pushes.iter().filter(|p| p.blow == blow).count();
-                list.pushes.extend(self.push(value, bodies, count, blow));
-                continue;
-            }
-            if word == "torsion" {
-                list.struts.extend(self.torsion(value, bodies, list.struts.len()));
-                continue;
-            }
-            if word == "spring" && bodies.iter().any(|b| b.planar.is_some() && !b.is_pinned()) {
-                list.struts.extend(self.strut(value, bodies, list.struts.len()));
-                continue;
-            }
-            if word == "spring" {
-                list.struts.extend(self.pin_spring(value, bodies, list.struts.len()));
-                continue;
-            }
-            if word != "couple" {
-                self.unknown(key, "force", &["couple", "force", "impulse", "spring", "torsion"]);
-                continue;
-            }
-            let Some(mut fields) = Fields::open(value, "a couple (on, moment, sense)", f) else { continue };
-            let body = self.need_body(&mut fields, "on", bodies);
-            let moment = self.need_number(&mut fields, "moment", "M", Need::MOMENT);
-            let forward = fields.get("sense").map_or(Some(true), |n| {
-                self.word(n, "the sense of the couple", &[("forward", true), ("back", false)])
-            });
-            self.grows(fields.get("growing by"), GivenForce::Couple(list.couples.len()));
-            if let Some(b) = body
-                && !bodies[b].turns
-            {
-                f.at(value, format!("`{}` has no inertia, so a couple cannot turn it", bodies[b].name));
-                continue;
-            }
-            if let (Some(body), Some(moment_n_m), Some(forward)) = (body, moment, forward) {
-                list.couples.push(Couple { body, moment_n_m, forward });
+            let springs = list.struts.len();
+            match word {
+                "force" | "impulse" => {
+                    let blow = word == "impulse";
+                    let count = list.pushes.iter().filter(|p| p.blow == blow).count();
+                    list.pushes.extend(self.push(value, bodies, count, blow));
+                }
+                "torsion" => list.struts.extend(self.torsion(value, bodies, springs)),
+                "spring" if bodies.iter().any(|b| b.planar.is_some() && !b.is_pinned()) => {
+                    list.struts.extend(self.strut(value, bodies, springs));
+                }
+                "spring" => list.struts.extend(self.pin_spring(value, bodies, springs)),
+                "couple" => list.couples.extend(self.couple(value, bodies, list.couples.len())),
+                _ => self.unknown(key, "force", &["couple", "force", "impulse", "spring", "torsion"]),
             }
         }
         list
+    }
+
+    fn couple(&self, node: &Node, bodies: &[Body], count: usize) -> Option<Couple> {
+        let mut fields = Fields::open(node, "a couple (on, moment, sense)", self.faults)?;
+        let body = self.need_body(&mut fields, "on", bodies);
+        let moment = self.need_number(&mut fields, "moment", "M", Need::MOMENT);
+        let senses = [("forward", true), ("back", false)];
+        let forward =
+            fields.get("sense").map_or(Some(true), |n| self.word(n, "the sense of the couple", &senses));
+        self.grows(fields.get("growing by"), GivenForce::Couple(count));
+        let body = body?;
+        if !bodies[body].turns {
+            let message = format!("`{}` has no inertia, so a couple cannot turn it", bodies[body].name);
+            return self.faults.refuse(node, message);
+        }
+        Some(Couple { body, moment_n_m: moment?, forward: forward? })
     }
 
     /// A spring between a fixed anchor and a point of a pinned body.
@@ -873,6 +860,14 @@ fn shape_of(word: &str) -> Option<Shape> {
         "shell" => Some(Shape::Shell),
         "rod" => Some(Shape::Rod),
         _ => None,
+    }
+}
+
+/// Tells of a name that is none for such a thing.
+fn check_name(key: &Node, name: &str, what: &str, faults: &Faults) {
+    if !plain_name(name) {
+        let hint = "letters, digits and `_`, beginning with a letter";
+        faults.hint(key, format!("`{}` is no name for {what}", shorten(name)), hint);
     }
 }
 

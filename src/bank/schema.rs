@@ -294,6 +294,11 @@ fn problem(
         }
     }
     read.review(&cases);
+    for case in &cases {
+        if let Some(scene) = case.read.as_ref().and_then(|read| read.scene.as_ref()) {
+            soundness::holes(scene, &data, &case.draws, case.scene_node.unwrap_or(node), faults);
+        }
+    }
     // Questions and bounds are read against each scene, since labels hold the index of a body.
     let scenes: Vec<(&str, &Scene)> =
         cases.iter().filter_map(|c| Some((c.name.as_str(), c.read.as_ref()?.scene.as_ref()?))).collect();

@@ -1,11 +1,12 @@
 //! Sense of what was read: is every datum used and admissible, can the scene be solved at all, are templates' names known.
+use crate::bank::decimal::Decimal;
 use crate::bank::need::Need;
 use crate::bank::node::{Faults, Node, Value, shorten};
 use crate::bank::{Datum, Draw, TEMPLATE_NAMES, Variables};
 use crate::finding::Finding;
 use crate::scene::{
-    Attach, Body, Coordinate, Cord, CordEnd, Degree, End, Far, Grows, Joint, JointKind, Made, Num,
-    RotaryInertia, Scene, Slope, Strut, StrutEnd, Surface, Tie,
+    Attach, Body, Coordinate, Cord, CordEnd, Degree, End, Far, Grows, Joint, JointKind, Made, Num, Place,
+    RotaryInertia, Scene, Shape, Slope, Spot, Strut, StrutEnd, Surface, Tie,
 };
 use crate::units::spell;
 
@@ -428,6 +429,52 @@ pub fn instant(scene: &Scene, draws: &[(String, Option<Draw>)], node: &Node, fau
             format!("the start and the ties leave {} open", name(c)),
             format!("write `start: {{{body}: {{{field}}}}}` besides, or a tie that gives it"),
         );
+    }
+}
+
+/// A round hole does not reach beyond the round body out of which it is cut, whatever is drawn: told where it does at both ends of all
+/// ranges.
+pub fn holes(scene: &Scene, data: &[Datum], draws: &[Option<Draw>], node: &Node, faults: &Faults) {
+    let values = [0, 1].map(|end| {
+        let value = |(datum, draw): (&Datum, &Option<Draw>)| {
+            let range = draw.as_ref().map(|draw| <[Decimal; 2]>::from(draw.range()));
+            range.map_or(f64::NAN, |range| datum.number(range[end]))
+        };
+        data.iter().zip(draws).map(value).collect::<Vec<f64>>()
+    });
+    let round = |body: usize| match scene.bodies[body].inertia {
+        Some(RotaryInertia::Shape(shape, radius)) if shape != Shape::Rod => Some(radius),
+        _ => None,
+    };
+    for joint in scene.joints.iter().filter(|joint| joint.kind.is_weld()) {
+        let mut spots: Vec<Spot> = joint.kind.spots().collect();
+        spots.sort_by_key(|spot| scene.bodies[spot.body].removed);
+        let [whole, hole] = spots[..] else { continue };
+        let (Some(outer), Some(own)) = (round(whole.body), round(hole.body)) else { continue };
+        let beyond = |values: &Vec<f64>| {
+            let of = |num: Num| scene.value(num, values);
+            let place = |place: Place| match place {
+                Place::At(n) => of(n),
+                Place::HalfOf(n) => of(n) / 2.0,
+            };
+            let off = |spot: Spot| {
+                let planar = scene.planar(spot.body)?;
+                let [x, y] = planar.points.get(spot.point)?.1.map(place);
+                let x = x - place(planar.centre);
+                Some((x * x + y * y).sqrt())
+            };
+            // How a hole is turned that is not held at its centre does not matter here.
+            let apart = off(whole).zip(off(hole)).map(|(whole, hole)| whole - hole);
+            apart.is_some_and(|apart| apart + of(own) > of(outer) * (1.0 + 1e-9))
+        };
+        let [whole, hole] = [whole, hole].map(|spot| &scene.bodies[spot.body]);
+        if hole.removed && !whole.removed && values.iter().all(beyond) {
+            faults.hint(
+                part(node, "joints"),
+                format!("`{}` reaches beyond `{}`, out of which it is cut", hole.name, whole.name),
+                "lay it farther in: from centre to centre, and its radius, are no more than the outer radius",
+            );
+        }
     }
 }
 

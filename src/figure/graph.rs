@@ -144,52 +144,47 @@ pub fn all(problem: &Problem, variant: &Variant, words: &Words) -> Vec<(String, 
     list
 }
 
+/// A quantity over the way, with the place that is asked marked, and what else stands in the graph.
+fn over_the_way(
+    view: &SceneView,
+    c: &SpringCurves,
+    (quantity, name, unit): (Quantity, &str, &'static str),
+    curves: Vec<Curve>,
+    (limits, more): (Vec<f64>, Vec<Mark>),
+) -> Picture {
+    let asked = value(&view.variant.solved, quantity, c.body);
+    let asked = asked.map(|y| Mark { x: c.asked, y, label: word(view, "asked") });
+    let (x, y) = ((word(view, "distance"), "m"), (word(view, name), unit));
+    let marks = asked.into_iter().chain(more).collect();
+    Graph { words: view.words, x, y, curves, limits, marks }.picture()
+}
+
 fn speed(view: &SceneView, c: &SpringCurves) -> Picture {
-    let words = view.words;
-    let word = |name: &str| word(view, name);
     let v = |q: Quantity| value(&view.variant.solved, q, c.body);
-    let mut marks = Vec::new();
-    if let Some(y) = v(Quantity::V) {
-        marks.push(Mark { x: c.asked, y, label: word("asked") });
-    }
     let far = c.speed.last().map_or(0.0, |p| p.0);
-    if let (Some(x), Some(y)) = (v(Quantity::DAtVMax).filter(|x| *x <= far), v(Quantity::VMax)) {
-        marks.push(Mark { x, y, label: word("equilibrium") });
-    }
-    if let Some(x) = c.turn {
-        marks.push(Mark { x, y: 0.0, label: word("turning") });
-    }
+    let fastest = v(Quantity::DAtVMax).filter(|x| *x <= far).zip(v(Quantity::VMax));
+    let fastest = fastest.map(|(x, y)| Mark { x, y, label: word(view, "equilibrium") });
+    let turning = c.turn.map(|x| Mark { x, y: 0.0, label: word(view, "turning") });
     let line = Curve { points: c.speed.clone(), look: 0, label: symbol::symbol("v") };
-    let (x, y) = ((word("distance"), "m"), (word("speed"), "m/s"));
-    Graph { words, x, y, curves: vec![line], limits: Vec::new(), marks }.picture()
+    let marks = fastest.into_iter().chain(turning).collect();
+    over_the_way(view, c, (Quantity::V, "speed", "m/s"), vec![line], (Vec::new(), marks))
 }
 
 fn friction(view: &SceneView, c: &SpringCurves) -> Picture {
-    let words = view.words;
-    let word = |name: &str| word(view, name);
-    let v = |q: Quantity| value(&view.variant.solved, q, c.body);
-    let mut marks = Vec::new();
-    if let Some(y) = v(Quantity::Friction) {
-        marks.push(Mark { x: c.asked, y, label: word("asked") });
-    }
-    let line =
-        Curve { points: c.friction.clone(), look: 1, label: symbol::symbol(&names::friction(view, c.body)) };
+    let label = symbol::symbol(&names::friction(view, c.body));
     let far = c.friction.last().map_or(1.0, |p| p.0);
-    let mut curves = vec![line];
-    let mut limits = Vec::new();
-    if let Some(limit) = c.limit {
-        for sign in [1.0, -1.0] {
-            let mut label = symbol::symbol(r"\mu_s N");
-            if sign < 0.0 {
-                label.insert(0, symbol::run("−", RunStyle::Upright));
-            }
-            curves.push(Curve { points: vec![(0.0, sign * limit), (far, sign * limit)], look: 2, label });
-            limits.push(sign * limit);
+    let mut curves = vec![Curve { points: c.friction.clone(), look: 1, label }];
+    let limits: Vec<f64> = c.limit.map_or_else(Vec::new, |limit| vec![limit, -limit]);
+    for limit in &limits {
+        let mut label = symbol::symbol(r"\mu_s N");
+        if limit.is_sign_negative() {
+            label.insert(0, symbol::run("−", RunStyle::Upright));
         }
+        curves.push(Curve { points: vec![(0.0, *limit), (far, *limit)], look: 2, label });
     }
     let level = view.scene.bodies[c.body].line.is_some_and(|l| l.slope == Slope::Level);
-    let name = word(if level { "friction_level" } else { "friction" });
-    Graph { words, x: (word("distance"), "m"), y: (name, "N"), curves, limits, marks }.picture()
+    let name = if level { "friction_level" } else { "friction" };
+    over_the_way(view, c, (Quantity::Friction, name, "N"), curves, (limits, Vec::new()))
 }
 
 /// Angular speed over the angle of a pinned body.

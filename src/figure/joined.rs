@@ -302,6 +302,18 @@ impl PlaneLayout {
         [origin + a + b, origin - a + b, origin - a - b, origin + a - b]
     }
 
+    /// The corners of what does not turn, a wedge, a plank or a block; `None` of a particle and of what is round.
+    fn edges(&self, view: &SceneView, laid: &[Laid], body: usize) -> Option<[Vec2; 4]> {
+        let this = &view.scene.bodies[body];
+        // Nothing turns a disc on a smooth bearing: it is round all the same.
+        let round = matches!(this.inertia, Some(RotaryInertia::Shape(shape, _)) if shape != Shape::Rod);
+        if this.turns || round && !is_guided(view, body) {
+            return None;
+        }
+        let block = || (!names::is_particle(view.scene, body)).then(|| self.block(view, laid, body));
+        self.top(view, laid, body).or_else(block)
+    }
+
     /// Is what touches with this radius, m, and has its mass centre so many pixels off the middle, half of a cylinder, a tube, a ball
     /// or a shell? No other body has its mass like that.
     fn is_half(&self, view: &SceneView, body: usize, off: f64, radius: f64) -> bool {
@@ -324,15 +336,11 @@ impl PlaneLayout {
             self.outline(board, view, laid, body, Role::Paper);
             return self.outline(board, view, laid, body, Role::Inner);
         }
-        // Nothing turns a disc on a smooth bearing: it is round all the same.
-        let own = matches!(this.inertia, Some(RotaryInertia::Shape(shape, _)) if shape != Shape::Rod);
-        if !this.turns && (!own || is_guided(view, body)) {
-            match self.top(view, laid, body) {
-                Some(corners) => board.lines(&corners, true, role),
-                None if names::is_particle(view.scene, body) => board.circle(origin, END, role),
-                None => board.lines(&self.block(view, laid, body), true, role),
-            }
-            return;
+        if let Some(corners) = self.edges(view, laid, body) {
+            return board.lines(&corners, true, role);
+        }
+        if names::is_particle(view.scene, body) {
+            return board.circle(origin, END, role);
         }
         let place = |p: Vec2| origin + (axis * p.x + axis.left() * p.y) * self.scale;
         let open = role == Role::Body && layout::is_open(this);
@@ -396,6 +404,12 @@ impl PlaneLayout {
 /// Does its point recoil there?
 fn recoils(view: &SceneView, joint: usize) -> bool {
     view.scene.restitution.is_some_and(|(recoils, _)| recoils == joint)
+}
+
+/// The point at which something is cut out that is taken away.
+fn cut_from(scene: &Scene, body: usize) -> Option<Spot> {
+    let weld = scene.joints.iter().find(|j| j.kind.is_weld() && j.kind.spots().any(|spot| spot.body == body));
+    weld.filter(|_| scene.bodies[body].removed)?.kind.spots().find(|spot| !scene.bodies[spot.body].removed)
 }
 
 /// Does a straight guide hold a point of it?
@@ -626,8 +640,11 @@ pub fn draw(board: &mut Board, view: &SceneView) {
     }
     letters(board, view, &plane, &plane.start, None);
     angles(board, view, &plane);
-    for joint in &view.scene.joints {
+    for (j, joint) in view.scene.joints.iter().enumerate() {
         face(board, view, &plane, joint);
+        if recoils(view, j) {
+            line_of_contact(board, view, &plane, joint);
+        }
     }
     for b in 0..view.scene.bodies.len() {
         sizes(board, view, &plane, b);
@@ -1072,6 +1089,10 @@ fn angles(board: &mut Board, view: &SceneView, plane: &PlaneLayout) {
 /// the other bodies for all that follow it.
 fn free_side(view: &SceneView, plane: &PlaneLayout, body: usize) -> Vec2 {
     let across = plane.start[body].axis.left();
+    // What is cut out of a body has its length on the other side than that.
+    if let Some(whole) = cut_from(view.scene, body) {
+        return if free_side(view, plane, whole.body).dot(&across) > 0.0 { -across } else { across };
+    }
     let middle = |laid: &[Laid], b: usize| plane.centre(view, laid, b);
     let here = middle(&plane.start, body);
     let away = match view.scene.planar(body).filter(|_| view.scene.lead() == Some(body)) {
@@ -1118,7 +1139,17 @@ fn sizes(board: &mut Board, view: &SceneView, plane: &PlaneLayout, body: usize) 
     let out = free_side(view, plane, body);
     let mut rows = Vec::new();
     if let Some((n, weight)) = view.mass(this) {
-        rows.push(view.label(n, if weight { "N" } else { "kg" }));
+        let several = view.scene.bodies.iter().filter(|body| !body.turns).count() > 1;
+        let before = match this.removed {
+            true => symbol::upright("−\u{2009}"),
+            false if view.scene.restitution.is_some() && !this.turns && several => {
+                // Which of the bodies that meet is which.
+                let tag = &names::tags(view.problem, view.scene)[body];
+                [symbol::symbol(tag), symbol::upright(":\u{a0}")].concat()
+            }
+            false => Vec::new(),
+        };
+        rows.push([before, view.label(n, if weight { "N" } else { "kg" })].concat());
     }
     match &this.inertia {
         Some(RotaryInertia::Shape(Shape::Rod, l)) => {
@@ -1182,11 +1213,12 @@ fn lengths(board: &mut Board, view: &SceneView, plane: &PlaneLayout, body: usize
     let centre = [planar.centre, Place::At(Num::Fixed(0.0))];
     // Where no length of the body stands on the free side, the distance of its mass centre does.
     let acts = |point| acts_at(view.scene).any(|spot| spot == Spot { body, point });
+    let pushed = |point| view.scene.pushes.iter().any(|push| push.at == Spot { body, point });
     let points = planar.points.iter().enumerate();
-    let sides = points.map(|(point, (_, place))| (place, -out, acts(point)));
+    let sides = points.map(|(point, (_, place))| (place, -out, acts(point), pushed(point)));
+    let centre_side = if this.rod().is_some() { -out } else { out };
     let mut found = Vec::new();
-    for (place, side, acts) in sides.chain([(&centre, if this.rod().is_some() { -out } else { out }, false)])
-    {
+    for (place, side, acts, pushed) in sides.chain([(&centre, centre_side, false, false)]) {
         let [x, y] = place.map(|x| along(view, x) * plane.scale);
         let foot = origin + axis * x;
         let point = foot + axis.left() * y;
@@ -1203,7 +1235,9 @@ fn lengths(board: &mut Board, view: &SceneView, plane: &PlaneLayout, body: usize
             // Both halves of a plate are a length of it.
             let whole = view.twice(n).filter(|_| is_plate && line.0 == foot);
             let line = whole.map_or(line, |_| (foot * 2.0 - point, point));
-            found.push((whole.unwrap_or(view.unsigned(n)), line, aside, 26.0 + off, acts));
+            // Where a force or a blow acts, a constant place is told as well.
+            let told = pushed && matches!(n, Num::Fixed(x) if x != 0.0);
+            found.push((whole.unwrap_or(view.unsigned(n)), line, aside, 26.0 + off, told, acts));
         }
     }
     let touches = view.scene.joints.iter().filter(|joint| joint.kind.spots().any(|spot| spot.body == body));
@@ -1212,9 +1246,9 @@ fn lengths(board: &mut Board, view: &SceneView, plane: &PlaneLayout, body: usize
     let own = told.clone();
     // Data first: an expression of them tells nothing more. Then where nothing stands.
     found.sort_by_key(|(n, .., acts)| (!matches!(n, Num::Datum(_)), *acts));
-    for (n, (from, to), aside, off, _) in found {
-        let data = view.data(n);
-        let radius = data == [n] && own.contains(&n) && this.rod() != Some(n);
+    for (n, (from, to), aside, off, constant, _) in found {
+        let data = if constant { vec![n] } else { view.data(n) };
+        let radius = !constant && data == [n] && own.contains(&n) && this.rod() != Some(n);
         if radius || data.iter().any(|datum| !told.contains(datum)) {
             dimension(board, from, to, aside, off, view.label(n, "m"));
         }
@@ -1244,6 +1278,23 @@ fn face(board: &mut Board, view: &SceneView, plane: &PlaneLayout, joint: &Joint)
     let turned = board.angle(foot, 36.0, level.angle_of(), degrees);
     let spots = on_arc(foot, 36.0, level.angle_of(), turned, MIDDLE_FIRST);
     let label = view.size_label(line.direction_deg, "°");
+    board.label(vec![label], Role::Dimension, (LabelTie::Clear, 5.0), spots);
+}
+
+/// The line along which bodies meet, with its angle from the axis from which that is told, where it is aslant.
+fn line_of_contact(board: &mut Board, view: &SceneView, plane: &PlaneLayout, joint: &Joint) {
+    let Some((line, on)) = joint.kind.line().zip(joint.kind.carrier()) else { return };
+    let degrees = view.of(line.direction_deg);
+    if (degrees / 90.0).fract().abs() < 1e-9 {
+        return;
+    }
+    let (at, along) = (plane.spot(view, &plane.start, on), plane.direction(view, &plane.start, line));
+    let axis = plane.start[on.body].axis;
+    board.line(at - along * 56.0, at + along * 56.0, Role::Ghost);
+    board.line(at, at + axis * 56.0, Role::Ghost);
+    let turned = board.angle(at, 40.0, axis.angle_of(), degrees);
+    let spots = on_arc(at, 40.0, axis.angle_of(), turned, MIDDLE_FIRST);
+    let label = view.label(line.direction_deg, "°");
     board.label(vec![label], Role::Dimension, (LabelTie::Clear, 5.0), spots);
 }
 
@@ -1324,10 +1375,11 @@ fn loads(board: &mut Board, view: &SceneView, plane: &PlaneLayout) {
         let arrives = view.scene.planar(b).and_then(|planar| planar.arrives);
         let arriving =
             arrives.map(|arrives| (arrives.speed_m_s, Vec2::at_degrees(view.of(arrives.direction_deg))));
-        let going = started(Degree::Along).filter_map(|num| Some((num, heading(view, b)?)));
+        let going = started(Degree::Along).filter_map(|num| Some((num, heading(view, b, num)?)));
         for (speed, towards) in arriving.filter(|(speed, _)| view.of(*speed) != 0.0).into_iter().chain(going)
         {
-            let from = plane.centre(view, &plane.start, b);
+            let edges = plane.edges(view, &plane.start, b);
+            let from = edges.map_or(plane.centre(view, &plane.start, b), |[a, _, c, _]| a.middle(c));
             let tip = from + towards * 56.0;
             board.arrow(from, tip, Role::Motion);
             let middle = from.middle(tip);
@@ -1356,13 +1408,20 @@ fn loads(board: &mut Board, view: &SceneView, plane: &PlaneLayout) {
     }
 }
 
-/// Direction in which the mass centre of a body moves at the start; `None` where it rests.
-fn heading(view: &SceneView, body: usize) -> Option<Vec2> {
+/// Direction in which the mass centre of a body with this speed along its line moves at the start; `None` where it rests. Of several
+/// speeds that are told each is seen from what carries the line.
+fn heading(view: &SceneView, body: usize, speed: Num) -> Option<Vec2> {
     let numbers = Numbers::<f64>::new(view.scene, &view.variant.data);
     let layout = pose::Layout::new(view.scene, &numbers)?;
-    let (rate, poses) = (layout.start_rate()?, layout.poses::<Jet<f64>>(0.0, false)?);
-    let along = pose::along(&numbers, view.scene.planar(body)?.centre);
-    let [x, y] = poses[body].point([along, 0.0]).map(|x| x.first * rate);
+    let [x, y] = if view.scene.tells_speeds() {
+        let start = pose::poses(view.scene, &numbers, &view.scene.start_angle(&numbers), true)?;
+        let (joint, _) = view.scene.guide_of(body)?;
+        layout.told_along(joint, &start).map(|x| x * view.of(speed))
+    } else {
+        let (rate, poses) = (layout.start_rate()?, layout.poses::<Jet<f64>>(0.0, false)?);
+        let along = pose::along(&numbers, view.scene.planar(body)?.centre);
+        poses[body].point([along, 0.0]).map(|x| x.first * rate)
+    };
     Some(vec2(x, y)).filter(|way| way.norm() > 0.0).map(Direction::unit)
 }
 
@@ -1393,7 +1452,7 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
         out.push(say(name, &[("body", &say::named(view, body))]));
         say::couples(view, b, out);
         for (degree, num) in view.started(b) {
-            let along = || heading(view, b).map(|to| teller.heads(to * view.of(num).signum()));
+            let along = || heading(view, b, num).map(|to| teller.heads(to * view.of(num).signum()));
             let positive = match degree {
                 Degree::Turn => teller.positive_turn(b),
                 Degree::Along => along().map_or_else(String::new, |way| say("positive", &[("sense", &way)])),
@@ -1542,7 +1601,18 @@ impl Teller<'_, '_> {
                 self.say("pin", &[("point", &self.called(at)), ("place", &self.place(place_m))])
             }
             JointKind::Hinge { one, other, turned_deg } => {
-                let name = if turned_deg.is_some() { "weld" } else { "hinge" };
+                let removed = |spot: Spot| self.view.scene.bodies[spot.body].removed;
+                let particle = |spot: Spot| names::is_particle(self.view.scene, spot.body);
+                let (name, one, other) = match turned_deg {
+                    Some(_) if removed(one) != removed(other) => match removed(one) {
+                        true => ("cut", one, other),
+                        false => ("cut", other, one),
+                    },
+                    Some(_) => ("weld", one, other),
+                    None if particle(one) => ("sits", one, other),
+                    None if particle(other) => ("sits", other, one),
+                    None => ("hinge", one, other),
+                };
                 self.say(name, &[("one", &self.called(one)), ("other", &self.called(other))])
             }
             JointKind::Guide { at, line, one_sided, mu_k, .. } => {

@@ -57,121 +57,7 @@ impl Winner {
     };
 }
 
-/// One attempt, or what is kept of several (a worker joins them as it meets them), where neither lateness nor the number of an
-/// attempt bears on marks. Whether `03/04` is in March or April shows only when all times of the file are read: so both are kept.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Attempt {
-    /// 0: none or blank.
-    pub class: u8,
-    /// Joined from more than one.
-    pub several: bool,
-    /// Among their times is one that cannot be read; one with slashes (`03/04`) whose day and month are uncertain; such a one with
-    /// points (`03.04.`).
-    pub untimed: [bool; 3],
-    /// Time, place and number of the one that counts by time: if days come first in the file, and if months do.
-    pub by_time: [(i64, u64, f64); 2],
-    /// Place and number of the one that counts by its row.
-    pub by_row: (u64, f64),
-    /// Share of the points, place and number of the best one.
-    pub best: (f64, u64, f64),
-}
-
-impl Attempt {
-    /// Nothing.
-    pub const NONE: Attempt = Attempt {
-        class: 0,
-        several: false,
-        untimed: [false; 3],
-        by_time: [(0, 0, 0.0); 2],
-        by_row: (0, 0.0),
-        best: (0.0, 0, 0.0),
-    };
-    /// Of two, what counts; the order in which they are joined does not matter.
-    pub fn join(&mut self, other: &Attempt, counts: Counts) {
-        if other.class == 0 || self.class > other.class {
-            return;
-        }
-        if self.class < other.class {
-            *self = *other;
-            return;
-        }
-        self.several = true;
-        let first = counts == Counts::First;
-        for (mine, other) in self.untimed.iter_mut().zip(other.untimed) {
-            *mine |= other;
-        }
-        for (mine, other) in self.by_time.iter_mut().zip(other.by_time) {
-            if ((other.0, other.1) < (mine.0, mine.1)) == first {
-                *mine = other;
-            }
-        }
-        if (other.by_row.0 < self.by_row.0) == first {
-            self.by_row = other.by_row;
-        }
-        // Of equal ones the first; of those that earn nothing the last, which is what the student went on with.
-        let earlier = (other.best.1 < self.best.1) == (other.best.0 > 0.0);
-        if other.best.0 > self.best.0 || (other.best.0 >= self.best.0 && earlier) {
-            self.best = other.best;
-        }
-    }
-    /// Are the times of this cell of no use?
-    pub fn is_untimed(&self, evidence: Evidence) -> bool {
-        let [unread, slashed, dotted] = self.untimed;
-        unread || (slashed && !evidence.decides(false)) || (dotted && !evidence.decides(true))
-    }
-    /// What the whole column of times makes of it.
-    pub fn decide(&self, counts: Counts, evidence: Evidence) -> Option<Winner> {
-        if self.class == 0 {
-            return None;
-        }
-        let untimed = self.is_untimed(evidence);
-        let (at, number) = match counts {
-            Counts::Best => (self.best.1, self.best.2),
-            _ if untimed => self.by_row,
-            _ => {
-                let (_, at, number) = self.by_time[evidence.choice()];
-                (at, number)
-            }
-        };
-        let by_row = untimed && self.several && counts != Counts::Best;
-        Some(Winner { at, by_row, number, ..Winner::NONE })
-    }
-}
-
-/// One attempt, or what is kept of several, where only their order in the file matters.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct ByRow {
-    /// Class and place: of two classes the higher one counts, within a class the place decides. 0: none or blank.
-    rank: u64,
-    number: f64,
-}
-
-/// The class stands above the bits of a place.
-const CLASS: u32 = 62;
-
-impl ByRow {
-    /// Nothing.
-    pub const NONE: ByRow = ByRow { rank: 0, number: f64::NAN };
-    /// An attempt.
-    pub fn new(class: u8, at: u64, number: f64) -> ByRow {
-        ByRow { rank: u64::from(class) << CLASS | at, number }
-    }
-    /// Of two, what counts; the order in which they are joined does not matter.
-    pub fn join(&mut self, other: &ByRow, counts: Counts) {
-        let later = other.rank > self.rank;
-        let same_class = (other.rank ^ self.rank) >> CLASS == 0;
-        if later != (same_class && counts == Counts::First) {
-            *self = *other;
-        }
-    }
-    /// What counts.
-    pub fn winner(&self) -> Option<Winner> {
-        let winner = Winner { at: self.rank & ((1 << CLASS) - 1), number: self.number, ..Winner::NONE };
-        (self.rank != 0).then_some(winner)
-    }
-}
-
-/// One attempt whose time is understood.
+/// One attempt.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Try {
     /// Time and place, or 0 and place where a time of the cell cannot be read.
@@ -186,14 +72,18 @@ pub(crate) struct Try {
     pub undated: bool,
     /// Only the day is known, which is enough.
     pub whole_day: bool,
+    /// Its time cannot be read; is one with slashes (`03/04`) whose day and month are uncertain; such a one with points (`03.04.`).
+    pub untimed: [bool; 3],
 }
 
-/// The attempts of a student at a part in the order of time, as far as they can matter: with a limit the first so many; for
-/// the best one as many as differ in what they cost, and the best of the rest.
+/// The attempts of a student at a part in the order of time, as far as they can matter: the first and the last one; with a limit the
+/// first so many; for the best one as many as differ in what they cost, and the best of the rest.
 #[derive(Debug, Clone)]
 pub(crate) struct Ordered {
     /// 0: none or blank.
     pub class: u8,
+    /// As of one attempt, of any of them.
+    untimed: [bool; 3],
     count: u32,
     kept: Vec<Try>,
     last: Try,
@@ -206,10 +96,11 @@ const KEPT: (usize, usize) = (32, 100);
 /// How often the same may be handed in again on average before what is kept no longer tells the number of an attempt.
 const REPEATED: usize = 8;
 
-/// How many attempts are kept in order.
-pub(crate) fn depth(attempts: &Attempts) -> usize {
+/// How many attempts are kept in order; none but the first where neither lateness nor the number of an attempt bears on marks.
+pub(crate) fn depth(attempts: &Attempts, careful: bool) -> usize {
     match attempts.counts {
         Counts::First => 1,
+        _ if !careful => 0,
         _ if attempts.ordered() => {
             let most = attempts.at_most.unwrap_or(attempts.settles()) as usize;
             most.saturating_mul(REPEATED).clamp(KEPT.0, KEPT.1)
@@ -222,9 +113,18 @@ impl Ordered {
     /// Nothing.
     pub const NONE: Ordered = Ordered {
         class: 0,
+        untimed: [false; 3],
         count: 0,
         kept: Vec::new(),
-        last: Try { key: (0, 0), number: f64::NAN, share: 0.0, late: 1.0, undated: false, whole_day: false },
+        last: Try {
+            key: (0, 0),
+            number: f64::NAN,
+            share: 0.0,
+            late: 1.0,
+            undated: false,
+            whole_day: false,
+            untimed: [false; 3],
+        },
         rest: None,
     };
     /// Adds an attempt.
@@ -239,7 +139,16 @@ impl Ordered {
             self.last = one;
         }
         self.count += 1;
+        self.note(one.untimed);
         self.keep(one, depth);
+    }
+    fn note(&mut self, untimed: [bool; 3]) {
+        self.untimed.iter_mut().zip(untimed).for_each(|(mine, other)| *mine |= other);
+    }
+    /// Are the times of this cell of no use?
+    pub fn is_untimed(&self, evidence: Evidence) -> bool {
+        let [unread, slashed, dotted] = self.untimed;
+        unread || (slashed && !evidence.decides(false)) || (dotted && !evidence.decides(true))
     }
     fn keep(&mut self, one: Try, depth: usize) {
         let at = self.kept.partition_point(|k| k.key < one.key);
@@ -254,10 +163,14 @@ impl Ordered {
             self.put_aside(out);
         }
     }
-    /// Of those beyond the depth only the best matters: all cost the same.
+    /// Of those beyond the depth only the best matters: all cost the same. Of equal ones the first; of those that earn nothing the
+    /// last, which is what the student went on with.
     fn put_aside(&mut self, one: Try) {
         let worth = |t: &Try| t.share * t.late;
-        let better = |old: &Try| worth(&one) > worth(old) || (worth(&one) >= worth(old) && one.key < old.key);
+        let first = worth(&one) > 0.0;
+        let better = |old: &Try| {
+            worth(&one) > worth(old) || (worth(&one) >= worth(old) && (one.key < old.key) == first)
+        };
         if self.rest.as_ref().is_none_or(better) {
             self.rest = Some(one);
         }
@@ -275,6 +188,7 @@ impl Ordered {
             self.last = other.last;
         }
         self.count += other.count;
+        self.note(other.untimed);
         for one in &other.kept {
             self.keep(*one, depth);
         }
@@ -345,7 +259,8 @@ mod tests {
 
     fn one(time: i64, share: f64) -> Try {
         let key = (time, time.unsigned_abs());
-        Try { key, number: share, share, late: 1.0, undated: false, whole_day: false }
+        let untimed = [false; 3];
+        Try { key, number: share, share, late: 1.0, undated: false, whole_day: false, untimed }
     }
 
     /// What the settings mean, said by sorting all attempts.
@@ -387,7 +302,7 @@ mod tests {
                 (1i64..).zip(&shares).map(|(t, s)| one(t, f64::from(*s) / 4.0)).collect();
             let want = plainly(&attempts, &tries);
             tries.sort_by_key(|t| shuffle[usize::try_from(t.key.0).unwrap() % 30]);
-            let deep = depth(&attempts);
+            let deep = depth(&attempts, true);
             let (mut a, mut b) = (Ordered::NONE, Ordered::NONE);
             for (i, t) in tries.iter().enumerate() {
                 let to = if i < split { &mut a } else { &mut b };

@@ -93,9 +93,13 @@ impl<'p> Rules<'p> {
         let closes = students.map(|s| policy.closes_for(&s.id).unwrap_or(i64::MAX)).collect();
         Ok(Rules { policy, due, closes, methods, corrections, levels })
     }
-    /// Must times be understood before attempts can be ordered?
+    /// Do lateness or the number of an attempt bear on marks?
     pub(crate) fn careful(&self) -> bool {
         self.policy.attempts.ordered() || self.policy.timed()
+    }
+    /// Does it matter which attempt came first? Of the best ones only by what they cost.
+    pub(crate) fn ordered_by_time(&self) -> bool {
+        self.careful() || self.policy.attempts.counts != Counts::Best
     }
     /// Walks that are needed to find which attempts count.
     pub(crate) fn walks(&self) -> u8 {
@@ -104,7 +108,7 @@ impl<'p> Rules<'p> {
     }
     /// How often the submissions are read.
     pub fn reads(&self) -> u64 {
-        1 + u64::from(self.careful()) + u64::from(self.walks())
+        1 + u64::from(self.ordered_by_time()) + u64::from(self.walks())
     }
     /// Can an answer to this part that is not right earn something?
     pub(crate) fn may_earn(&self, column: usize) -> bool {

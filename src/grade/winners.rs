@@ -1,10 +1,10 @@
 //! Which attempt of each student at each part counts: the walks over a file of submissions that come before the writing one.
 //!
-//! One walk is enough where attempts are ordered by row, or by times that bear on nothing else. Where lateness or the number of
-//! an attempt bears on marks, one more comes before, so that times are understood; where the best attempt counts, one for each
-//! step of follow-through. What is held grows with students times parts, and up to a limit with rows ([`Notes`]).
+//! One walk is enough where attempts are ordered by row. Where times order them, one more comes before, so that the times are
+//! understood: whether `03/04` is in March or April shows only when all of the file are read. Where the best attempt counts, there is
+//! one for each step of follow-through. What is held grows with students times parts, and up to a limit with rows ([`Notes`]).
 use crate::answer::submissions::{Batch, RecordScratch, RecordSource};
-use crate::grade::attempt::{self, Attempt, ByRow, Ordered, Try, Winner};
+use crate::grade::attempt::{self, Ordered, Try, Winner};
 use crate::grade::cells::{AnswerCell, GradingJob, cells};
 use crate::grade::credit::credit;
 use crate::grade::fast_number::SiReader;
@@ -58,18 +58,7 @@ pub(crate) struct Chosen {
     pub notes: Notes,
 }
 
-/// What a walk collects of the attempts.
-#[derive(Clone)]
-enum AttemptTally {
-    /// Where nothing but the order of rows matters.
-    ByRow(Vec<ByRow>),
-    /// Where neither lateness nor the number of an attempt matters: times are collected before they are understood.
-    Timed(Vec<Attempt>),
-    /// Where times are understood.
-    Ordered(Vec<Ordered>),
-}
-
-/// What is known of the times.
+/// What is known of the times, where they order the attempts.
 struct Times {
     evidence: Evidence,
     /// Students and parts whose attempts are ordered by row.
@@ -91,7 +80,7 @@ struct Collector {
     scratch: RecordScratch,
     finder: Finder,
     numbers: SiReader,
-    tally: AttemptTally,
+    tally: Vec<Ordered>,
     evidence: Evidence,
     noted: Vec<CellNote>,
     notes: Vec<(u64, Box<[CellNote]>)>,
@@ -105,7 +94,10 @@ struct AttemptWalk<'w> {
     level: Option<u8>,
     /// The attempts that count, as far as walks before this one found them.
     winners: &'w [Winner],
-    times: &'w Times,
+    /// `None`: nothing is known of them yet, or they do not matter.
+    times: Option<&'w Times>,
+    /// How many attempts are kept in order.
+    depth: usize,
 }
 
 impl AttemptWalk<'_> {
@@ -162,7 +154,7 @@ impl AttemptWalk<'_> {
         cell: &AnswerCell,
         (time, open): (Option<Moment>, bool),
         (finder, numbers): (&mut Finder, &mut SiReader),
-        tally: &mut AttemptTally,
+        tally: &mut [Ordered],
     ) -> CellNote {
         let job = self.job;
         let belongs = finder.find(job.table, cell);
@@ -175,18 +167,9 @@ impl AttemptWalk<'_> {
             // It replaces no answer that was submitted and can be read.
             worth.class = worth.class.min(attempt::UNREADABLE);
         }
-        let (index, at) = (job.index(who, what), cell.place());
-        let attempts = &job.rules.policy.attempts;
-        match tally {
-            AttemptTally::ByRow(all) => {
-                all[index].join(&ByRow::new(worth.class, at, worth.number), attempts.counts);
-            }
-            AttemptTally::Timed(all) => all[index].join(&self.timed(&worth, at, time), attempts.counts),
-            AttemptTally::Ordered(all) => {
-                let (class, one) = self.ordered(&worth, at, time, (who, index));
-                all[index].add(class, one, attempt::depth(attempts));
-            }
-        }
+        let index = job.index(who, what);
+        let (class, one) = self.ordered(&worth, cell.place(), time, (who, index));
+        tally[index].add(class, one, self.depth);
         // An id with an apostrophe in front may be one that was guarded against spreadsheets.
         let as_on_the_roster = !belongs.respelled && cell.student.first() != Some(&b'\'');
         match worth.quickly {
@@ -195,25 +178,16 @@ impl AttemptWalk<'_> {
         }
     }
 
-    fn timed(&self, worth: &Worth, at: u64, time: Option<Moment>) -> Attempt {
-        let uncertain = time.and_then(|t| t.uncertain);
-        Attempt {
-            class: worth.class,
-            several: false,
-            untimed: [
-                self.job.layout.submitted.is_some() && time.is_none(),
-                uncertain == Some(false),
-                uncertain == Some(true),
-            ],
-            by_time: time.map_or([0; 2], |t| t.micros).map(|t| (t, at, worth.number)),
-            by_row: (at, worth.number),
-            best: (worth.share, at, worth.number),
-        }
-    }
-
     /// The attempt with what its time costs, and its class.
     fn ordered(&self, worth: &Worth, at: u64, time: Option<Moment>, (who, index): (u32, usize)) -> (u8, Try) {
-        let Times { evidence, untimed } = self.times;
+        let Worth { class, number, share, .. } = *worth;
+        let Some(Times { evidence, untimed }) = self.times else {
+            let uncertain = time.and_then(|t| t.uncertain);
+            let unread = self.job.layout.submitted.is_some() && time.is_none();
+            let untimed = [unread, uncertain == Some(false), uncertain == Some(true)];
+            let (key, late, undated, whole_day) = ((0, at), 1.0, false, false);
+            return (class, Try { key, number, share, late, undated, whole_day, untimed });
+        };
         let (rules, who) = (self.job.rules, who as usize);
         let read = time.filter(|m| m.uncertain.is_none_or(|dotted| evidence.decides(dotted)));
         let time = read.map(|m| m.micros[evidence.choice()]);
@@ -224,32 +198,27 @@ impl AttemptWalk<'_> {
             Some(time) => rules.late(who, time),
             None => rules.undated(who),
         };
-        let closed = late.is_none() && worth.class == attempt::READABLE;
-        let one = Try {
-            key: (if untimed[index] { 0 } else { time.unwrap_or(0) }, at),
-            number: worth.number,
-            share: worth.share,
-            late: late.unwrap_or(0.0),
-            undated: known.is_none(),
-            whole_day,
-        };
-        (if closed { attempt::CLOSED } else { worth.class }, one)
+        let closed = late.is_none() && class == attempt::READABLE;
+        let key = (if untimed[index] { 0 } else { time.unwrap_or(0) }, at);
+        let (late, undated, untimed) = (late.unwrap_or(0.0), known.is_none(), [false; 3]);
+        let one = Try { key, number, share, late, undated, whole_day, untimed };
+        (if closed { attempt::CLOSED } else { class }, one)
     }
 
     /// Walks over all batches on several threads.
     fn all(
         &self,
         open: Open<'_>,
-        empty: &AttemptTally,
         threads: usize,
         heard: &mut (dyn FnMut(u64) + Send),
-    ) -> Result<(AttemptTally, Evidence, Notes), GradeFault> {
+    ) -> Result<(Vec<Ordered>, Evidence, Notes), GradeFault> {
         let (source, _) = RecordSource::open(open()?)?;
+        let empty = || vec![Ordered::NONE; self.winners.len()];
         let collector = || Collector {
             scratch: RecordScratch::default(),
             finder: Finder::default(),
             numbers: SiReader::default(),
-            tally: empty.clone(),
+            tally: empty(),
             evidence: Evidence::default(),
             noted: Vec::new(),
             notes: Vec::new(),
@@ -258,26 +227,16 @@ impl AttemptWalk<'_> {
         let workers = (0..threads).map(|_| collector()).collect();
         let process = |w: &mut Collector, b: &Batch, _: &mut Vec<u8>| self.batch(w, b);
         let (mut tally, mut evidence, mut notes) = (None, Evidence::default(), Notes::new());
-        let attempts = self.job.rules.policy.attempts;
         for worker in run_batches(source, workers, &process, None, heard)? {
             evidence.join(worker.evidence);
             notes.extend(worker.notes);
-            match (&mut tally, worker.tally) {
-                (Some(AttemptTally::ByRow(all)), AttemptTally::ByRow(more)) => {
-                    all.iter_mut().zip(&more).for_each(|(a, b)| a.join(b, attempts.counts));
-                }
-                (Some(AttemptTally::Timed(all)), AttemptTally::Timed(more)) => {
-                    all.iter_mut().zip(&more).for_each(|(a, b)| a.join(b, attempts.counts));
-                }
-                (Some(AttemptTally::Ordered(all)), AttemptTally::Ordered(more)) => {
-                    let depth = attempt::depth(&attempts);
-                    all.iter_mut().zip(&more).for_each(|(a, b)| a.join(b, depth));
-                }
-                (_, first) => tally = Some(first),
+            match &mut tally {
+                None => tally = Some(worker.tally),
+                Some(all) => all.iter_mut().zip(&worker.tally).for_each(|(a, b)| a.join(b, self.depth)),
             }
         }
         let evidence = self.job.rules.policy.day_first.map_or(evidence, Evidence::said);
-        Ok((tally.unwrap_or_else(|| empty.clone()), evidence, notes))
+        Ok((tally.unwrap_or_else(empty), evidence, notes))
     }
 }
 
@@ -292,41 +251,25 @@ pub(crate) fn choose_winners(
     let attempts = rules.policy.attempts;
     let size = job.table.students.len() * job.table.columns.len();
     let mut chosen = Chosen { winners: vec![Winner::NONE; size], notes: Notes::new() };
-    let mut times = Times { evidence: Evidence::default(), untimed: vec![false; size] };
-    let timed_tally = || AttemptTally::Timed(vec![Attempt::NONE; size]);
-    let careful = rules.careful() && timed;
-    if careful {
-        let walk = AttemptWalk { job, level: None, winners: &chosen.winners, times: &times };
-        let (tally, evidence, _) = walk.all(open, &timed_tally(), threads, heard)?;
-        times.evidence = evidence;
-        if let AttemptTally::Timed(all) = tally {
-            times.untimed = all.iter().map(|one| one.class > 0 && one.is_untimed(evidence)).collect();
-        }
+    let mut times = None;
+    if timed && rules.ordered_by_time() {
+        let walk = AttemptWalk { job, level: None, winners: &chosen.winners, times: None, depth: 0 };
+        let (tally, evidence, _) = walk.all(open, threads, heard)?;
+        let untimed = tally.iter().map(|one| one.class > 0 && one.is_untimed(evidence)).collect();
+        times = Some(Times { evidence, untimed });
     }
-    let empty = if careful || attempts.ordered() {
-        AttemptTally::Ordered(vec![Ordered::NONE; size])
-    } else if timed || attempts.counts == Counts::Best {
-        timed_tally()
-    } else {
-        AttemptTally::ByRow(vec![ByRow::NONE; size])
-    };
+    let depth = attempt::depth(&attempts, timed && rules.careful() || attempts.ordered());
     // What follows from another part is worth what it is only when the winner there is known.
     let levels: Vec<Option<u8>> = match rules.walks() {
         1 => vec![None],
         n => (0..n).map(Some).collect(),
     };
     for level in levels {
-        let walk = AttemptWalk { job, level, winners: &chosen.winners, times: &times };
-        let (tally, evidence, notes) = walk.all(open, &empty, threads, heard)?;
-        let decided: Vec<Option<Winner>> = match tally {
-            AttemptTally::ByRow(all) => all.iter().map(ByRow::winner).collect(),
-            AttemptTally::Timed(all) => all.iter().map(|one| one.decide(attempts.counts, evidence)).collect(),
-            AttemptTally::Ordered(all) => {
-                all.iter().zip(&times.untimed).map(|(one, untimed)| one.decide(&attempts, *untimed)).collect()
-            }
-        };
-        for (winner, decided) in chosen.winners.iter_mut().zip(decided) {
-            *winner = decided.unwrap_or(*winner);
+        let walk = AttemptWalk { job, level, winners: &chosen.winners, times: times.as_ref(), depth };
+        let (tally, _, notes) = walk.all(open, threads, heard)?;
+        for (index, (winner, one)) in chosen.winners.iter_mut().zip(&tally).enumerate() {
+            let untimed = times.as_ref().is_some_and(|times| times.untimed[index]);
+            *winner = one.decide(&attempts, untimed).unwrap_or(*winner);
         }
         chosen.notes = notes;
     }

@@ -427,7 +427,7 @@ proptest! {
                         5 => String::new(),
                         6 => format!("{} furlongs", place("bare")),
                         // A dash alone stands for nothing in Moodle.
-                        _ => text.trim().trim_matches(['-', ';']).trim().to_owned(),
+                        _ => text.trim_matches([' ', '-', ';']).to_owned(),
                     };
                     plain.write_record([owner, problem, &key["part"], &answer]).unwrap();
                     answers.push(format!("{word} {}: {answer}", answers.len() + 1));

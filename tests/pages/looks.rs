@@ -2,7 +2,7 @@
 use crate::figures::{all_text, corners, first_picture};
 use slipstick::picture::frame::Frame;
 use slipstick::picture::vector::{Direction, Vec2};
-use slipstick::picture::{Element, Outline, Picture, Role};
+use slipstick::picture::{Element, Outline, Picture, Role, TextRun};
 
 /// The picture of a scene with those of these data (symbol, value and unit of each) that it uses.
 fn picture_of(data: &str, scene: &str, asked: &str) -> Picture {
@@ -71,7 +71,11 @@ fn a_body_looks_like_what_it_is() {
     assert!((round[0].1 / long - 0.2 / 0.8).abs() < 1e-6, "{round:?} {rod:?}");
     assert_eq!(polygons(&disc, Role::Body).len(), 1);
     let ball = arm("");
-    assert!(circles(&ball, Role::Body)[0].1 < 12.0 && ball.desc.contains("the particle"), "{}", ball.desc);
+    assert!(
+        circles(&ball, Role::Body)[0].1 < 12.0 && ball.desc.contains("The particle sits at B of the rod."),
+        "{}",
+        ball.desc
+    );
     assert_eq!(polygons(&ball, Role::Body).len(), 1);
 
     let rolls = |inertia: &str| {
@@ -255,4 +259,58 @@ fn a_pull_does_not_run_through_a_load() {
     let arrow = drum.elements.iter().filter(|e| e.role == Role::Force).flat_map(|e| corners(&e.outline));
     let arrow = Frame::round(arrow).expect("a pull");
     assert!(arrow.high.y < load.low.y - 5.0, "{arrow:?} {load:?}");
+}
+
+/// What stood in words alone: speeds that are told along guides, where a blow acts, which of two blocks is which and along which line they
+/// meet; and a hole, whose mass counts negative.
+#[test]
+fn what_is_told_of_an_instant_is_drawn() {
+    let texts = |picture: &Picture| -> Vec<String> {
+        let text = |runs: &[TextRun]| runs.iter().map(|run| run.text.as_str()).collect();
+        picture.labels.iter().map(|label| text(&label.runs)).collect()
+    };
+    let says = |picture: &Picture, text: &str| {
+        let all = texts(picture);
+        assert!(all.iter().any(|told| told.replace('\u{a0}', " ") == text), "{text}: {all:?}");
+    };
+    let wedge = picture_of(
+        "m: 2 kg",
+        "bodies: {wedge: {mass: 5 kg, moves: in the plane, placed: [0 m, 0 m]}, block: {mass: m, moves: in the plane, placed: [1 m, 1 m]}}, joints: {floor: {guides: wedge, along: horizontal, pushes: up}, face: {slides: block, on: wedge.A, along: 45 deg, mu_k: 0.3}}, start: {wedge: {speed: 1 m/s}, block: {speed: -2 m/s}}, end: at once",
+        "quantity: wedge.a_x, unit: m/s^2",
+    );
+    says(&wedge, "1 m/s");
+    says(&wedge, "2 m/s");
+    // From the notch of a head to its tip: one to the right, one down the face (y points down).
+    let ways: Vec<Vec2> = polygons(&wedge, Role::MotionHead).iter().map(|p| p[0] - p[2]).collect();
+    assert!(ways.len() == 2 && ways[0].y.abs() < 1e-6 && ways[0].x > 0.0, "{ways:?}");
+    assert!((ways[1].x + ways[1].y).abs() < 1e-6 && ways[1].y > 0.0, "{ways:?}");
+    assert!(wedge.desc.contains("−2 m/s, positive at 45°"), "{}", wedge.desc);
+
+    let blow = picture_of(
+        "J: 2 N*s",
+        "bodies: {rod: {mass: 2 kg, shape: {rod: 1 m}, moves: in the plane, angle: from hanging, points: {A: 0 m, B: 1 m, P: 0.6 m}}}, joints: {O: {pins: rod.A}}, forces: [impulse: {on: rod.P, magnitude: J, direction: right}], start: {rod: {angle: 0 deg}}, end: at once",
+        "quantity: rod.omega, unit: rad/s",
+    );
+    says(&blow, "0.6 m");
+
+    let blocks = picture_of(
+        "m: 2 kg",
+        "bodies: {A: {mass: m, moves: in a horizontal plane, placed: [0 m, 0 m]}, B: {mass: 3 kg, moves: in a horizontal plane, placed: [0 m, 0 m]}}, joints: {hit: {guides: A, on: B, along: 120 deg, restitution: 0.5}}, start: {A: {arrives: {speed: 2 m/s, direction: right}}, B: {arrives: {speed: 3 m/s, direction: left}}}, end: at once",
+        "quantity: A.v, unit: m/s",
+    );
+    says(&blocks, "120°");
+    says(&blocks, "A: m = 2 kg");
+    says(&blocks, "B: 3 kg");
+
+    let hole = picture_of(
+        "m: 0.4 kg",
+        "bodies: {disc: {mass: 4 kg, shape: {disc: 0.3 m}, moves: in the plane, angle: from hanging, points: {A: -0.3 m, H: 0.1 m}}, hole: {mass removed: m, shape: {disc: 0.08 m}, moves: in the plane}}, joints: {O: {pins: disc.A}, cut: {welds: [disc.H, hole.A]}}, start: {disc: {angle: 10 deg}}, end: equilibrium",
+        "quantity: I_O, unit: kg*m^2",
+    );
+    assert!(texts(&hole).iter().any(|told| told.starts_with('−') && told.contains("0.4")), "{hole:?}");
+    assert!(
+        hole.desc.contains("A of disc 2 lies at H of disc 1.") && !hole.desc.contains("welded"),
+        "{}",
+        hole.desc
+    );
 }

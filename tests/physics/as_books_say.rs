@@ -391,6 +391,12 @@ end: at once
         let loaded = scene.replace("start:", &format!("forces: [{acts}]\nstart:"));
         assert!(format!("{:?}", read(&loaded)).contains("is taken away: nothing acts there"), "{acts}");
     }
+    // Touching the rim it still lies within; farther out it does not.
+    let at = |far: &str| format!("{:?}", read(&scene.replace("H: 0.15 m", far)));
+    assert!(!at("H: 0.225 m").contains("reaches beyond"), "{}", at("H: 0.225 m"));
+    for far in ["H: 0.23 m", "H: [0.15 m, 0.2 m]"] {
+        assert!(at(far).contains("`hole` reaches beyond `disc`"), "{}", at(far));
+    }
 }
 
 /// Two holes in a plate, one of them square, each by its own moment of inertia; and what cannot be taken away.

@@ -1,7 +1,7 @@
 //! Bodies that move in the plane, and their joints, forces and springs.
 use crate::bank::need::Need;
-use crate::bank::node::{Fields, Node, Value, named, shorten};
-use crate::bank::scene::{SceneReader, plain_name};
+use crate::bank::node::{Fields, Node, Value, named};
+use crate::bank::scene::{SceneReader, check_name};
 use crate::scene::{
     Acts, Arrives, Body, Branch, Joint, JointKind, Num, Place, Planar, Push, Ray, Rest, RotaryInertia, Shape,
     Spot, Straight, Strut, StrutEnd, Surface, on_axis,
@@ -88,10 +88,7 @@ impl SceneReader<'_> {
     pub(super) fn points(&self, node: &Node, rod: Option<Num>) -> Vec<(String, [Place; 2])> {
         let (f, mut points) = (self.faults, Vec::new());
         for (name, key, value) in named(node, "points by name, such as `{A: 0 m, B: L}`", f) {
-            if !plain_name(name) {
-                let message = format!("`{}` is no name for a point", shorten(name));
-                f.hint(key, message, "letters, digits and `_`, beginning with a letter");
-            }
+            check_name(key, name, "a point", f);
             let place = match &value.value {
                 Value::List(both) if both.len() == 2 => {
                     self.along(&both[0], rod).zip(self.along(&both[1], rod)).map(|(x, y)| [x, y])
@@ -150,10 +147,7 @@ impl SceneReader<'_> {
         let f = self.faults;
         let mut list = Vec::new();
         for (name, key, value) in named(node, "joints by name, such as `{floor: {guides: rod.A}}`", f) {
-            if !plain_name(name) {
-                let message = format!("`{}` is no name for a joint", shorten(name));
-                f.hint(key, message, "letters, digits and `_`, beginning with a letter");
-            }
+            check_name(key, name, "a joint", f);
             let Some(mut fields) = Fields::open(
                 value,
                 "a joint (pins, hinges, welds, guides, ties, links, rolls, meshes or slides)",
