@@ -358,6 +358,12 @@ impl Sum {
     pub fn by(&self, other: &Self) -> Self {
         Self::of(self.0.iter().flat_map(|a| other.0.iter().map(move |b| a.times(b))))
     }
+    /// Without what all terms have above and below.
+    #[must_use]
+    pub fn primitive(&self) -> Self {
+        let common = self.0.iter().cloned().reduce(|common, t| common.shared(&t));
+        common.map_or_else(Self::default, |common| self.times(Factors::one().per(common)))
+    }
     /// As an expression: what is added first, what all have in front.
     pub fn expr(&self) -> Expr {
         let (less, more): (Vec<Factors>, Vec<Factors>) =

@@ -94,9 +94,6 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
         self.say("joined.idle", &[("why", &kinds.join("; "))]);
     }
     fn ways(&mut self) -> Result<(), DerivationStop> {
-        if self.blow.is_some() {
-            self.struck();
-        }
         if self.scene.end == End::Equilibrium {
             self.at_rest()?;
         } else if self.instant() && self.blow.is_some() {
@@ -221,7 +218,9 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
                 let e = self.scene.restitution.map_or(1.0, |(_, e)| self.datum(e));
                 if e == 0.0 { "impact.onward_soft" } else { "impact.onward" }
             }
-            _ if self.impact() && !self.asks_impulses() && !self.entangled() => "impact.onward_stays",
+            _ if self.impact() && self.jolts() && !self.asks_impulses() && !self.entangled() => {
+                "impact.onward_stays"
+            },
             End::AtOnce if self.impact() => "onward.other",
             End::AtOnce if self.pivot.is_some() && self.jolts() => "pinned.onward_struck",
             End::AtOnce if self.blow.is_some() => "joined.onward_struck",
@@ -313,7 +312,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// Where the bodies are: what the joints say of their angles, and the place where the motion ends.
-    fn tell_places(&mut self) {
+    pub fn tell_places(&mut self) {
         let last = self.turns[0].at[1].clone();
         let value = self.valued(&last, "1");
         let name = match self.scene.end {
@@ -369,7 +368,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// Moment of inertia about the pin.
-    fn about_the_pin(&mut self, pivot: &Pivot) {
+    pub fn about_the_pin(&mut self, pivot: &Pivot) {
         let name = if pivot.own == ZERO { "pinned.inertia_point" } else { "pinned.inertia" };
         self.say(name, &[("pin", &pivot.name)]);
         let square = self.bodies[0].mass.times(pivot.h.squared());
@@ -387,7 +386,7 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// The ratios of the angular velocities.
     fn ratios(&mut self) {
-        let placed = self.steps[..self.steps_of[0]].iter().map(|s| s.symbol);
+        let placed = self.steps[..self.placed].iter().map(|s| s.symbol);
         let lengths = self.lengths();
         let ratios: Vec<SymbolId> = placed.filter(|s| !lengths.contains(s)).collect();
         if ratios.is_empty() {
@@ -459,10 +458,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.begin_as("short", title);
         self.tell_places();
         self.kinetic();
-        let [placed, acted] = self.steps_of;
         let about = self.pivot.as_ref().map(|p| p.about);
         let hidden = [&self.springs[..], &self.units, &Vec::from_iter(about)].concat();
-        let needed = self.steps[placed..acted].iter().map(|s| s.symbol);
+        let needed = self.steps[self.acted.clone()].iter().map(|s| s.symbol);
         let needed: Vec<SymbolId> = needed.filter(|s| !hidden.contains(s)).collect();
         if !needed.is_empty() {
             let needs = |quantity: fn(&Expr) -> bool| needed.iter().any(|s| quantity(&self.from(*s)));
@@ -593,19 +591,6 @@ impl<'d, 'a> Plane<'d, 'a> {
         ratio(1, 2).by(&j).by(square(&self.first))
     }
 
-    /// What the blow does.
-    fn struck(&mut self) {
-        let title = if self.impact() { "impact" } else { "blow" };
-        self.begin_as("blow", title);
-        if self.instant() {
-            self.tell_places();
-        }
-        if let Some(pivot) = self.pivot.clone() {
-            self.about_the_pin(&pivot);
-        }
-        self.tell_blow();
-    }
-
     /// Equilibrium: no force accelerates anything; and how it swings beside it.
     fn at_rest(&mut self) -> Result<(), DerivationStop> {
         self.motion("short", "rest_motion")?;
@@ -732,7 +717,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let springs = [&self.springs[..], &self.units].concat();
         let used = self.behind(springs.clone(), |_| true);
         let own = |s: &SymbolId| *s != self.rate && Some(*s) != about && (self.instant() || used.contains(s));
-        let late = self.steps[self.steps_of[0]..steps].iter().map(|s| s.symbol).filter(own).collect();
+        let late = self.steps[self.acted.start..steps].iter().map(|s| s.symbol).filter(own).collect();
         let wanted: Vec<SymbolId> = if alone { late } else { springs };
         let sprung = !wanted.is_empty() && !self.springs.is_empty();
         let corded = self.joint(|k| matches!(k, JointKind::Cord { .. }))

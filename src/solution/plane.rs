@@ -24,6 +24,7 @@ use crate::solution::stop::{Beyond, DerivationStop, unfound};
 use crate::solution::terms::{self, Carrying, tagged};
 use crate::solution::written::width;
 use crate::solve::energy;
+use std::ops::Range;
 
 /// The start, and the place that is asked.
 pub const START: usize = 0;
@@ -275,8 +276,10 @@ pub struct Plane<'d, 'a> {
     pub driver: Option<SymbolId>,
     /// The symbol of the inertia of the motion, where it has one.
     pub j: Option<SymbolId>,
-    /// How many steps are those of the joints, and of these and the forces.
-    pub steps_of: [usize; 2],
+    /// How many steps are those of the joints.
+    pub placed: usize,
+    /// Which are those of the forces.
+    pub acted: Range<usize>,
     /// Components of unit vectors along springs and cords.
     pub units: Vec<SymbolId>,
     /// The pin of a single body.
@@ -349,7 +352,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             loops: Vec::new(),
             driver: None,
             j: None,
-            steps_of: [0, 0],
+            placed: 0,
+            acted: 0..0,
             units: Vec::new(),
             pivot: None,
             k: None,
@@ -396,7 +400,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             let from = this.turns[turn].rate[START].clone();
             this.steps.push(Step { symbol, from });
         }
-        this.steps_of[0] = this.steps.len();
+        this.placed = this.steps.len();
         this.rate = match this.bodies[lead].omega.filter(|_| this.arc_of(this.lead).is_none()) {
             Some(omega) => omega,
             None => {
@@ -408,7 +412,6 @@ impl<'d, 'a> Plane<'d, 'a> {
         if this.scene.is_struck() {
             this.strike()?;
             if this.scene.end == End::AtOnce {
-                this.steps_of[1] = this.steps.len();
                 return Ok(this);
             }
         }
@@ -419,8 +422,9 @@ impl<'d, 'a> Plane<'d, 'a> {
             this.symbols.settle(turned, way, 0.0);
             this.turned = Some(turned);
         }
+        let before = this.steps.len();
         this.act()?;
-        this.steps_of[1] = this.steps.len();
+        this.acted = before..this.steps.len();
         this.hold();
         if let Some(alpha) = this.scene.driven() {
             this.drive(alpha);
@@ -2289,14 +2293,10 @@ impl<'d, 'a> Plane<'d, 'a> {
             let all: Sum = by.terms().into_iter().map(|b| sum.times(&b)).sum();
             all.terms().iter().flat_map(|t| t.spread(symbol)).collect::<Vec<_>>()
         };
-        let shared = |all: Vec<Factors>| {
-            let common = all.iter().skip(1).fold(all.first().cloned()?, |common, t| common.shared(t));
-            Some(all.iter().map(|t| t.per(&common)).collect::<Sum>())
-        };
         let rest = spread(&by_rest, &ONE);
-        let with_rate = shared([spread(&by_rate, &square(self.rate)), rest.clone()].concat())?;
-        let [plus, minus] = with_rate.sides();
-        let whole = shared([spread(&by_rate, &squared), rest].concat())?;
+        let shared = |all: [Vec<Factors>; 2]| Sum::of(all.concat()).primitive();
+        let [plus, minus] = shared([spread(&by_rate, &square(self.rate)), rest.clone()]).sides();
+        let whole = shared([spread(&by_rate, &squared), rest]);
         let whole = sum(whole.terms().iter().map(Factors::expr));
         let waves = [cosine(symbol), sine(symbol)];
         let (wave, is) =
