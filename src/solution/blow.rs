@@ -5,15 +5,12 @@ use crate::num::eliminate::Equations;
 use crate::num::{shown, trig};
 use crate::scene::{End, JointKind, Label, Owner, Quantity, Spot};
 use crate::solution::draft::Detail;
-use crate::solution::expr::{
-    Expr, ONE, SymbolId, ZERO, in_sense, length, positive_first, ratio, square,
-};
+use crate::solution::expr::{Expr, ONE, SymbolId, ZERO, in_sense, length, positive_first, ratio, square};
 use crate::solution::factors::{Cancel, Factors, Sum};
 use crate::solution::order::{Row, needed};
 use crate::solution::page::{Page, Pieces, Step};
 use crate::solution::plane::{
-    END, Hold, NOTHING, Plane, PlaneBody, Point, Pull, ROUNDING, START, Vector, cross, left, less, product,
-    vector,
+    END, Hold, NOTHING, Plane, PlaneBody, Pull, ROUNDING, START, Vector, cross, left, less, product,
 };
 use crate::solution::stop::DerivationStop;
 use crate::solution::terms::tagged;
@@ -93,7 +90,7 @@ impl Plane<'_, '_> {
         for push in scene.pushes.iter().filter(|p| p.blow) {
             let size = self.number(push.force_n, "J", "N s").factors();
             let (point, unit) = (self.spot(push.at), self.direction(push.direction_deg));
-            let along = self.frame(&vector(&unit));
+            let along = self.frame(&unit);
             self.add_pull(push.at.body, &point, size, along);
         }
         let (before, energy) = self.momenta_before();
@@ -177,7 +174,7 @@ impl Plane<'_, '_> {
                     let out = less(&centre, &self.spot(pin));
                     (spin.signed(sense), left(&self.places(&out, self.here)))
                 }
-                None => (speed, vector(&self.direction(arrives.direction_deg))),
+                None => (speed, self.direction(arrives.direction_deg)),
             };
             let along = self.frame(&along);
             let v = along.each_ref().map(|x| x.times(&size));
@@ -239,11 +236,10 @@ impl Plane<'_, '_> {
     }
     /// From a point to the mass centre of a body.
     fn away(&mut self, body: usize, point: &Vector) -> Vector {
-        let centre = self.seen(&self.centre(body));
-        [0, 1].map(|i| centre[i].plus(&point[i].opposite()))
+        less(&self.seen(&self.centre(body)), point)
     }
     /// A place, in the directions in which forces are told.
-    fn seen(&mut self, point: &Point) -> Vector {
+    fn seen(&mut self, point: &Vector) -> Vector {
         let place = self.places(point, self.here);
         self.frame(&place)
     }
@@ -405,14 +401,15 @@ impl Plane<'_, '_> {
             let (before, after) = self.balance_of(momentum);
             balances.push([before, Self::spelled(&after.expr(), &held)]);
         }
-        let less = |[one, other]: &[Sum; 2]| other.plus(&one.opposite());
-        let mut rows: Vec<Sum> = balances.iter().map(less).collect();
+        let gained = |[before, after]: &[Sum; 2]| after.less(before);
+        let mut rows: Vec<Sum> = balances.iter().map(gained).collect();
         let joined = held.iter().map(|(s, is)| Self::spelled(&(is - Expr::from(*s)), &[]));
         let idle = self.idle(joined.chain(rows.iter().cloned()).collect(), &velocities);
-        let parting = parting.map(|(l, r)| [Self::spelled(&r, &[]), Self::spelled(&l, &held)]);
-        rows.extend(parting.iter().map(less));
-        let zero: Held = idle.iter().map(|s| (*s, ZERO)).collect();
-        let rows = rows.iter().map(|row| Self::spelled(&row.expr(), &zero)).collect();
+        let parting =
+            parting.map(|(l, r)| [Sum::of(r.terms().iter().map(Factors::of)), Self::spelled(&l, &held)]);
+        rows.extend(parting.iter().map(gained));
+        let moving = |sum: &Sum| idle.iter().fold(sum.clone(), |all, s| all.put(*s, &ZERO));
+        let rows = rows.iter().map(moving).collect();
         let open = |v: &SymbolId| !idle.contains(v) && held.iter().all(|(s, _)| s != v);
         self.eliminate(rows, velocities.iter().copied().filter(open).collect())?;
         if let Some([along, across]) = self.oblique.clone() {
@@ -443,7 +440,7 @@ impl Plane<'_, '_> {
             self.page.equations_or_one(&[(each(&l.signed(sense)), each(&r.signed(sense)))]);
         }
         for (symbol, is) in &held {
-            self.page.step(*symbol, Self::spelled(is, &zero).expr());
+            self.page.step(*symbol, moving(&Self::spelled(is, &[])).expr());
         }
         self.impulses_from(&held);
         Some((held, idle))
@@ -544,10 +541,12 @@ impl Plane<'_, '_> {
                 continue;
             }
             last.insert(0, found);
-            for other in &mut rows {
-                if let Some([own, left]) = self.parted(other, symbol) {
-                    *other = share.by(&left).plus(&own.by(&rest).opposite()).primitive();
-                }
+            for other in rows.iter_mut().filter(|other| self.parted(other, symbol).is_some()) {
+                let put = |t: &Factors| match t.expr().uses().contains(&symbol) {
+                    true => t.per(symbol).each(&rest).opposite(),
+                    false => t.each(&share),
+                };
+                *other = other.terms().iter().map(put).sum::<Sum>().primitive();
             }
         }
         for (symbol, is) in first.into_iter().chain(last) {
@@ -634,7 +633,8 @@ impl Plane<'_, '_> {
         };
         let solved = together.iter().filter(|s| moves(**s)).map(|s| self.chain(*s, &(*s).into()));
         let steps = self.steps[steps..].iter().filter(told);
-        let lines: Vec<String> = solved.chain(steps.map(|step| self.chain(step.symbol, &step.from))).collect();
+        let lines: Vec<String> =
+            solved.chain(steps.map(|step| self.chain(step.symbol, &step.from))).collect();
         self.page.formulas(lines);
         self.skip_new();
     }
@@ -671,10 +671,11 @@ impl Plane<'_, '_> {
             let e = self.number(e, "e", "1");
             let Expr::Symbol(e) = e else { return Ok(()) };
             let own = self.symbols.value(e);
-            let limits = self.steps.iter().filter(|step| !blow.held.contains(&step.symbol)).find_map(|step| {
-                let is = self.page.expanded(&step.from);
-                is.uses().contains(&e).then_some((step.symbol, is))
-            });
+            let limits =
+                self.steps.iter().filter(|step| !blow.held.contains(&step.symbol)).find_map(|step| {
+                    let is = self.page.expanded(&step.from);
+                    is.uses().contains(&e).then_some((step.symbol, is))
+                });
             let Some((symbol, is)) = limits else { return Ok(()) };
             let unit = if bodies_turn(&blow, symbol) { Quantity::Omega } else { Quantity::V }.unit();
             let [soft, hard] = [0.0, 1.0].map(|x| {

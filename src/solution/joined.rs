@@ -220,7 +220,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             }
             _ if self.impact() && self.jolts() && !self.asks_impulses() && !self.entangled() => {
                 "impact.onward_stays"
-            },
+            }
             End::AtOnce if self.impact() => "onward.other",
             End::AtOnce if self.pivot.is_some() && self.jolts() => "pinned.onward_struck",
             End::AtOnce if self.blow.is_some() => "joined.onward_struck",

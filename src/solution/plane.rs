@@ -15,8 +15,8 @@ use crate::solution::asked;
 use crate::solution::blow::{Blow, is_impulse};
 use crate::solution::draft::Draft;
 use crate::solution::expr::{
-    Expr, ONE, SymbolId, ZERO, cosine, in_sense, number, positive_first, power, ratio, root, signed, sine,
-    square, sum,
+    Expr, ONE, SymbolId, ZERO, cosine, in_sense, number, positive_first, ratio, root, signed, sine, square,
+    sum,
 };
 use crate::solution::factors::{Cancel, Factors, Sum};
 use crate::solution::page::{Page, Step, WITHIN};
@@ -38,6 +38,7 @@ pub const NOTHING: f64 = 1e-12;
 /// What stands below the symbols of the two straight pieces of a cord over a pulley.
 const PIECES: [&str; 2] = ["a", "b"];
 
+/// To the right and up; of a point, its place by the symbols of all angles.
 pub type Vector = [Sum; 2];
 
 /// To the right and up.
@@ -50,6 +51,10 @@ fn axes() -> [Vector; 2] {
 pub struct Turn {
     /// At the start and at the place that is asked, degrees.
     pub at: [Expr; 2],
+    /// What stands for it in places: within a sine or cosine the angle, elsewhere how far it has turned, rad.
+    angle: SymbolId,
+    /// See there.
+    way: SymbolId,
     /// Its rate, per unit rate of the leading one; 0 at an instant of rest.
     pub rate: [Expr; 2],
     /// The axis is `from cos + across sin`.
@@ -63,84 +68,37 @@ pub struct Turn {
     pub slides: bool,
 }
 
-/// A coordinate of a place: a fixed part, and lengths times a cosine, a sine or an angle in radians.
-#[derive(Debug, Clone, Default)]
-pub struct Line {
-    fixed: Sum,
-    waves: Vec<(Factors, usize, Wave)>,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Wave {
-    Cosine,
-    Sine,
-    /// How far a wheel has turned.
-    Way,
-    /// A place along a guide, which is no angle.
-    Slide,
-}
-
-impl Line {
-    fn fixed(at: Sum) -> Self {
-        Self { fixed: at, waves: Vec::new() }
-    }
-    fn times(&self, by: &Factors) -> Self {
-        let waves = self.waves.iter().map(|(size, turn, wave)| (size.times(by), *turn, *wave));
-        Self { fixed: self.fixed.times(by), waves: waves.filter(|w| !w.0.is_zero()).collect() }
-    }
-    fn plus(&self, other: &Self) -> Self {
-        let waves = [self.waves.clone(), other.waves.clone()].concat();
-        Self { fixed: self.fixed.plus(&other.fixed), waves }
-    }
-    fn less(&self, other: &Self) -> Self {
-        self.plus(&other.times(&Factors::one().opposite()))
-    }
-}
-
-/// A point of the plane.
-pub type Point = [Line; 2];
-
-fn plus(a: &Point, b: &Point) -> Point {
+fn plus(a: &Vector, b: &Vector) -> Vector {
     [a[0].plus(&b[0]), a[1].plus(&b[1])]
 }
-pub fn less(a: &Point, b: &Point) -> Point {
+pub fn less(a: &Vector, b: &Vector) -> Vector {
     [a[0].less(&b[0]), a[1].less(&b[1])]
 }
-fn times(a: &Point, by: &Factors) -> Point {
-    [a[0].times(by), a[1].times(by)]
+fn times(a: &Vector, by: &Factors) -> Vector {
+    a.each_ref().map(|x| x.times(by))
+}
+/// So far along a direction.
+fn along(way: &Sum, unit: &Vector) -> Vector {
+    unit.each_ref().map(|x| way.by(x))
 }
 /// From the origin of an axis to the point at these distances along it and to its left.
-fn from_axis(axis: &Point, at: &[Factors; 2]) -> Point {
-    let on_axis = times(axis, &at[0]);
-    let left = [axis[1].times(&Factors::one().opposite()), axis[0].clone()];
-    if at[1].is_zero() { on_axis } else { plus(&on_axis, &times(&left, &at[1])) }
-}
-fn along(line: &Line, unit: &[Factors; 2]) -> Point {
-    [line.times(&unit[0]), line.times(&unit[1])]
+fn from_axis(axis: &Vector, at: &[Factors; 2]) -> Vector {
+    plus(&times(axis, &at[0]), &times(&left(axis), &at[1]))
 }
 /// From one point of a body to another, along its axis and to its left.
 fn between(to: &[Factors; 2], from: &[Factors; 2]) -> [Factors; 2] {
     [0, 1].map(|i| to[i].plus(&from[i].opposite()))
-}
-fn dot(a: &Point, unit: &[Factors; 2]) -> Line {
-    a[0].times(&unit[0]).plus(&a[1].times(&unit[1]))
-}
-fn left_of(unit: &[Factors; 2]) -> [Factors; 2] {
-    [unit[1].opposite(), unit[0].clone()]
 }
 /// A quarter turn to the left.
 pub fn left(v: &Vector) -> Vector {
     [v[1].opposite(), v[0].clone()]
 }
 pub fn cross(a: &Vector, b: &Vector) -> Sum {
-    a[0].by(&b[1]).plus(&a[1].by(&b[0]).opposite())
+    a[0].by(&b[1]).less(&a[1].by(&b[0]))
 }
 /// `a . b`
 pub fn product(a: &Vector, b: &Vector) -> Sum {
     a[0].by(&b[0]).plus(&a[1].by(&b[1]))
-}
-pub fn vector(unit: &[Factors; 2]) -> Vector {
-    unit.clone().map(Sum::one)
 }
 
 /// A cylinder on which a body is: the body's point, the radius there, the axis, the radius; from inside? Does it roll?
@@ -169,7 +127,7 @@ pub struct PlaneBody {
     /// Angular speed.
     pub omega: Option<SymbolId>,
     /// Where the origin of its axis is, and the angle of its axis.
-    origin: Point,
+    origin: Vector,
     pub turn: Option<usize>,
 }
 
@@ -230,7 +188,7 @@ pub struct Pivot {
     /// Does the angle count from upright?
     pub up: bool,
     /// The pin.
-    place: Point,
+    place: Vector,
 }
 
 /// A scene of joined bodies as far as it is known.
@@ -442,7 +400,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn glide_to(&mut self, i: usize) -> Option<Expr> {
         let (speed, [c, s]) = (self.glides.clone()?, self.gliding()?);
         let unit = match self.scene.joints.iter().find_map(|j| j.kind.line()) {
-            Some(guide) => vector(&self.direction(guide.direction_deg)),
+            Some(guide) => self.direction(guide.direction_deg),
             // It goes across the light rods or cords that hold it.
             None => left(&self.holds.first()?.pulls[0].along),
         };
@@ -566,7 +524,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 alpha,
                 v,
                 omega,
-                origin: [Line::default(), Line::default()],
+                origin: Vector::default(),
                 turn: None,
             });
         }
@@ -603,20 +561,20 @@ impl<'d, 'a> Plane<'d, 'a> {
         let place = place.unwrap_or([Place::At(Num::Fixed(0.0)); 2]);
         place.map(|p| self.length(spot.body, &tag, p).factors())
     }
-    fn ground(&mut self, place: [Num; 2]) -> Point {
+    fn ground(&mut self, place: [Num; 2]) -> Vector {
         let [x, y] = [self.symbol(place[0], "x_0", "m"), self.symbol(place[1], "y_0", "m")];
-        [x, y].map(|e| Line::fixed(Sum::of(e.terms().iter().map(Factors::of))))
+        [x, y].map(|e| Sum::of(e.terms().iter().map(Factors::of)))
     }
     /// A unit vector along a direction.
-    pub fn direction(&mut self, degrees: Num) -> [Factors; 2] {
+    pub fn direction(&mut self, degrees: Num) -> Vector {
         if let Num::Fixed(x) = degrees
             && x % 90.0 == 0.0
         {
             let (s, c) = trig::sin_cos_of_degrees(x);
-            return [c, s].map(sign);
+            return [c, s].map(|x| Sum::one(sign(x)));
         }
         let angle = self.number(degrees, r"\delta", "deg");
-        [cosine(&angle), sine(angle)].map(|e| e.factors())
+        [cosine(&angle), sine(angle)].map(Sum::one)
     }
 
     /// The direction of a line, which a body may carry.
@@ -624,15 +582,14 @@ impl<'d, 'a> Plane<'d, 'a> {
         let unit = self.direction(line.direction_deg);
         match line.on {
             Some(on) => self.turned_with(on.body, &unit, self.here),
-            None => vector(&unit),
+            None => unit,
         }
     }
     /// A direction that counts from the axis of a body.
-    fn turned_with(&mut self, body: usize, [c, s]: &[Factors; 2], which: usize) -> Vector {
+    fn turned_with(&mut self, body: usize, [c, s]: &Vector, which: usize) -> Vector {
         let axis = self.axis_of(body);
         let axis = self.places(&axis, which);
-        let across = left(&axis);
-        [0, 1].map(|i| axis[i].times(c).plus(&across[i].times(s)))
+        plus(&along(c, &axis), &along(s, &left(&axis)))
     }
 
     // -- places ---------------------------------------------------------------------------------------------------------
@@ -642,77 +599,89 @@ impl<'d, 'a> Plane<'d, 'a> {
         let from = self.scene.planar(body).map_or([1.0, 0.0], |p| p.from.components());
         let sense = if it.clockwise { -1.0 } else { 1.0 };
         let (across, tag) = ([-from[1] * sense, from[0] * sense], it.tag.clone());
-        self.turns.push(Turn { at, rate, from, across, tag, link: None, slides: false });
+        self.push_turn(at, rate, [from, across], tag)
+    }
+    fn push_turn(
+        &mut self,
+        at: [Expr; 2],
+        rate: [Expr; 2],
+        [from, across]: [[f64; 2]; 2],
+        tag: String,
+    ) -> usize {
+        let [angle, way] = ["", ""].map(|name| self.unknown(name, "rad"));
+        self.turns.push(Turn { at, angle, way, rate, from, across, tag, link: None, slides: false });
         self.turns.len() - 1
     }
-    fn axis(&self, turn: usize) -> Point {
+    fn axis(&self, turn: usize) -> Vector {
         let t = &self.turns[turn];
         [0, 1].map(|i| {
-            let all = [(t.from[i], Wave::Cosine), (t.across[i], Wave::Sine)];
-            let waves = all.into_iter().filter(|(x, _)| *x != 0.0).map(|(x, wave)| (sign(x), turn, wave));
-            Line { fixed: Sum::default(), waves: waves.collect() }
+            let waves = [sign(t.from[i]).times(cosine(t.angle)), sign(t.across[i]).times(sine(t.angle))];
+            Sum::of(waves)
         })
     }
-    fn axis_of(&self, body: usize) -> Point {
+    fn axis_of(&self, body: usize) -> Vector {
         match self.bodies[body].turn {
             Some(turn) => self.axis(turn),
             None => {
                 let from = self.scene.planar(body).map_or([1.0, 0.0], |p| p.from.components());
-                from.map(|x| Line::fixed(Sum::one(sign(x))))
+                from.map(|x| Sum::one(sign(x)))
             }
         }
     }
-    fn point(&self, body: usize, at: &[Factors; 2]) -> Point {
+    fn point(&self, body: usize, at: &[Factors; 2]) -> Vector {
         plus(&self.bodies[body].origin, &from_axis(&self.axis_of(body), at))
     }
-    pub fn centre(&self, body: usize) -> Point {
+    pub fn centre(&self, body: usize) -> Vector {
         self.point(body, &[self.bodies[body].centre.clone(), Factors::zero()])
     }
-    pub fn spot(&mut self, spot: Spot) -> Point {
+    pub fn spot(&mut self, spot: Spot) -> Vector {
         let distance = self.of_spot(spot);
         self.point(spot.body, &distance)
     }
-    /// A cosine or sine of an angle, or its first or second derivative by the leading one.
-    fn wave(&self, turn: usize, wave: Wave, which: usize, order: u32) -> Factors {
-        let Turn { at, rate, .. } = &self.turns[turn];
-        let sines = (wave == Wave::Sine) == (order != 1);
-        let falls = order == 2 || order == 1 && wave == Wave::Cosine;
-        let value = if sines { sine(&at[which]) } else { cosine(&at[which]) };
-        power(rate[which].clone(), order).factors().times(value).signed(if falls { -1 } else { 1 })
+    /// With the angles as they are at the start or at the place that is asked.
+    fn placed(&self, of: &Sum, which: usize) -> Sum {
+        self.turns.iter().fold(of.clone(), |all, turn| all.put(turn.angle, &turn.at[which]))
     }
     /// A coordinate at the start or at the place that is asked.
-    fn at(&mut self, line: &Line, which: usize) -> Sum {
-        let waves = line.waves.iter().map(|(size, turn, wave)| match wave {
-            Wave::Way if which == START => Factors::zero(),
-            // What rolls by rolling keeps its ratio to the leading wheel.
-            Wave::Way => size.times(self.turned()).times(&self.turns[*turn].rate[END]),
-            Wave::Slide => size.times(&self.turns[*turn].at[which]),
-            _ => size.times(self.wave(*turn, *wave, which, 0)),
-        });
-        let waves = waves.collect();
-        line.fixed.plus(&waves)
+    fn at(&mut self, of: &Sum, which: usize) -> Sum {
+        let mut all = self.placed(of, which);
+        for turn in self.turns.clone() {
+            if all.terms().iter().any(|t| t.expr().uses().contains(&turn.way)) {
+                let way = match which {
+                    _ if turn.slides => turn.at[which].clone(),
+                    START => ZERO,
+                    // What rolls by rolling keeps its ratio to the leading wheel.
+                    _ => self.turned().by(&turn.rate[END]),
+                };
+                all = all.put(turn.way, &way);
+            }
+        }
+        all
     }
     /// By how much it grows on the way.
-    fn change(&mut self, line: &Line) -> Sum {
-        self.at(line, END).plus(&self.at(line, START).opposite())
+    fn change(&mut self, of: &Sum) -> Sum {
+        self.at(of, END).less(&self.at(of, START))
+    }
+    /// Its derivative by the leading angle.
+    fn derivative(&self, of: &Sum, which: usize) -> Sum {
+        let turns = self.turns.iter().flat_map(|t| [(t.angle, &t.rate[which]), (t.way, &t.rate[which])]);
+        let turns: Vec<(SymbolId, &Expr)> = turns.collect();
+        let slopes = of.terms().iter().flat_map(|t| turns.iter().map(|(s, rate)| t.slope(*s).times(*rate)));
+        slopes.sum()
     }
     /// Its rate, per unit rate of the leading angle.
-    fn rate(&self, line: &Line, which: usize) -> Sum {
-        Sum::of(line.waves.iter().map(|(size, turn, wave)| match wave {
-            Wave::Way | Wave::Slide => size.times(&self.turns[*turn].rate[which]),
-            _ => size.times(self.wave(*turn, *wave, which, 1)),
-        }))
+    fn rate(&self, of: &Sum, which: usize) -> Sum {
+        self.placed(&self.derivative(of, which), which)
     }
     /// What its second derivative has per square of the leading rate, of one leading angle alone.
-    fn bend(&self, line: &Line) -> Sum {
-        let waves = line.waves.iter().filter(|w| !matches!(w.2, Wave::Way | Wave::Slide));
-        Sum::of(waves.map(|(size, turn, wave)| size.times(self.wave(*turn, *wave, END, 2))))
+    fn bend(&self, of: &Sum) -> Sum {
+        self.rate(&self.derivative(of, END), END)
     }
-    pub fn places(&mut self, point: &Point, which: usize) -> Vector {
-        [self.at(&point[0], which), self.at(&point[1], which)]
+    pub fn places(&mut self, point: &Vector, which: usize) -> Vector {
+        point.each_ref().map(|x| self.at(x, which))
     }
-    fn rates(&self, point: &Point, which: usize) -> Vector {
-        [self.rate(&point[0], which), self.rate(&point[1], which)]
+    fn rates(&self, point: &Vector, which: usize) -> Vector {
+        point.each_ref().map(|x| self.rate(x, which))
     }
     /// The directions in which forces are told, at the asked place: to the right and up; of a body on a pin toward the pin and
     /// across, with a growing angle.
@@ -727,12 +696,9 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     /// Toward the pin from the mass centre, and across with a growing angle.
     fn circle(&self) -> [Vector; 2] {
-        let Turn { from, across, .. } = &self.turns[0];
-        let axis = |order| {
-            let of = |share: f64, wave| sign(share).times(self.wave(0, wave, self.here, order));
-            [0, 1].map(|i| Sum::of([of(from[i], Wave::Cosine), of(across[i], Wave::Sine)]))
-        };
-        [axis(0).map(|x| x.opposite()), axis(1)]
+        let axis = self.axis(0);
+        let out = axis.each_ref().map(|x| self.placed(x, self.here));
+        [out.map(|x| x.opposite()), self.rates(&axis, self.here)]
     }
     /// A vector, right and up, in these directions.
     pub fn frame(&self, v: &Vector) -> Vector {
@@ -752,7 +718,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// The point of a body that is held at a known place.
-    fn held(&mut self, body: usize, placed: &[bool]) -> Option<([Factors; 2], Point)> {
+    fn held(&mut self, body: usize, placed: &[bool]) -> Option<([Factors; 2], Vector)> {
         let (own, place) = self.scene.joints.iter().find_map(|joint| match joint.kind {
             JointKind::Pin { at, place_m } if at.body == body => Some((at, self.ground(place_m))),
             _ => {
@@ -763,14 +729,14 @@ impl<'d, 'a> Plane<'d, 'a> {
         Some((self.of_spot(own), place))
     }
     /// Points of a body that are guided, itself or by a slider that is hinged there: a place on the line and its direction.
-    fn guided(&mut self, body: usize, placed: &[bool]) -> Vec<([Factors; 2], Point, [Factors; 2])> {
+    fn guided(&mut self, body: usize, placed: &[bool]) -> Vec<([Factors; 2], Vector, Vector)> {
         let scene = self.scene;
         let mut all = Vec::new();
         let fixed = scene.joints.iter().filter(|j| j.kind.carrier().is_none());
         for (at, radius_m, surface) in fixed.filter_map(|j| j.kind.surface()) {
             let Surface::Line(Straight { through_m, direction_deg, .. }) = surface else { continue };
             let (unit, radius) = (self.direction(direction_deg), self.number(radius_m, "r", "m"));
-            let off = along(&Line::fixed(Sum::one(&radius)), &left_of(&unit));
+            let off = along(&Sum::one(&radius), &left(&unit));
             let through = plus(&self.ground(through_m), &off);
             let slider = |guided: Spot| {
                 (!placed[guided.body]).then_some(())?;
@@ -786,7 +752,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         all
     }
     /// The line on which a body rolls: its centre along the axis, a place on the line, its direction, the radius.
-    fn rolls(&mut self, body: usize) -> Option<([Factors; 2], Point, [Factors; 2], Factors)> {
+    fn rolls(&mut self, body: usize) -> Option<([Factors; 2], Vector, Vector, Factors)> {
         let scene = self.scene;
         scene.joints.iter().find_map(|j| match j.kind {
             JointKind::Contact {
@@ -805,7 +771,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         })
     }
     /// The axis of the cylinder on which a body rolls or meshes, and how fast it turns per moment of its centre's speed about that axis.
-    fn circles(&mut self, body: usize) -> Option<(Point, Factors)> {
+    fn circles(&mut self, body: usize) -> Option<(Vector, Factors)> {
         let (_, own, centre, arc, inside, _) = self.arc_of(body).filter(|(.., rolls)| *rolls)?;
         let [own, arc] = self.radii(own, arc);
         let around = inside && self.value(&arc.expr()) < self.value(&own.expr());
@@ -892,16 +858,16 @@ impl<'d, 'a> Plane<'d, 'a> {
         };
         let tag = if plain.is_empty() { r"\ell".to_owned() } else { plain };
         let at = self.free_angle(&tag, degrees);
-        let (from, across, link) = ([1.0, 0.0], [0.0, 1.0], Some((joint, length)));
-        self.turns.push(Turn { at, rate: [ONE, ONE], from, across, tag, link, slides: false });
-        Some((self.turns.len() - 1, Factors::of(&length.into())))
+        let turn = self.push_turn(at, [ONE, ONE], [[1.0, 0.0], [0.0, 1.0]], tag);
+        self.turns[turn].link = Some((joint, length));
+        Some((turn, length.into()))
     }
     /// The angle of what leads this joint's point on a circle.
     fn linked(&self, joint: usize) -> Option<usize> {
         self.turns.iter().position(|t| t.link.is_some_and(|(of, _)| of == joint))
     }
     /// Places the leading body, whose angle is known, where a light rod or a cord holds it, and a guide or another one of them.
-    fn place_on_links(&mut self, body: usize, axis: &Point) -> Option<()> {
+    fn place_on_links(&mut self, body: usize, axis: &Vector) -> Option<()> {
         let links = self.links(body);
         if let Some(place) = self.scene.planar(body)?.origin_m {
             self.bodies[body].origin = self.ground(place);
@@ -925,29 +891,29 @@ impl<'d, 'a> Plane<'d, 'a> {
         Some(())
     }
     /// What goes on the way, with what the angle of its own adds to it, stays on a line: this ties the angle, and gives its rate.
-    fn slide(&mut self, turn: usize, way: &Point, own: &Point, (through, unit): (&Point, &[Factors; 2])) {
-        let normal = left_of(unit);
-        self.tie(&dot(&plus(way, own), &normal), &dot(through, &normal));
-        self.keep_up(turn, [way, own], |_, _| (vector(&normal), Sum::default()));
+    fn slide(&mut self, turn: usize, way: &Vector, own: &Vector, (through, unit): (&Vector, &Vector)) {
+        let normal = left(unit);
+        self.tie(&product(&plus(way, own), &normal), &product(through, &normal));
+        self.keep_up(turn, [way, own], |_, _| (normal.clone(), Sum::default()));
     }
     /// Gives an angle its rate: what goes on the way, with what the angle adds to it, goes along a direction as fast as this says.
     fn keep_up(
         &mut self,
         turn: usize,
-        [way, own]: [&Point; 2],
+        [way, own]: [&Vector; 2],
         along: impl Fn(&mut Self, usize) -> (Vector, Sum),
     ) {
         self.ratio(turn, |this, which| {
             let (unit, speed) = along(this, which);
-            let behind = speed.plus(&product(&this.rates(way, which), &unit).opposite());
+            let behind = speed.less(&product(&this.rates(way, which), &unit));
             behind.expr().over(product(&this.rates(own, which), &unit).expr())
         });
     }
     /// What goes on the way, with what one angle adds, meets what another one adds: this ties both, and gives their rates. Along one
     /// of the two rods the other end of that rod does not move it.
-    fn close(&mut self, apart: &Point, (first, one): (usize, &Point), (second, two): (usize, &Point)) {
+    fn close(&mut self, apart: &Vector, (first, one): (usize, &Vector), (second, two): (usize, &Vector)) {
         for line in &less(&plus(apart, one), two) {
-            self.tie(line, &Line::default());
+            self.tie(line, &Sum::default());
         }
         for (turn, own, across, sense) in [(first, one, two, -1), (second, two, one, 1)] {
             self.ratio(turn, |this, which| {
@@ -998,7 +964,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// Puts a body so that this point of it is at this place.
-    fn put(&mut self, body: usize, at: &[Factors; 2], place: &Point) {
+    fn put(&mut self, body: usize, at: &[Factors; 2], place: &Vector) {
         self.bodies[body].origin = less(place, &from_axis(&self.axis_of(body), at));
     }
 
@@ -1042,10 +1008,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         let rolls = if held.is_none() { self.rolls(body) } else { None };
         let origin = planar.origin_m.map(|place| self.ground(place));
         if let Some((at, through, unit, radius)) = rolls {
-            let start = origin.map_or_else(Line::default, |o| dot(&less(&o, &through), &unit));
-            let sense = Factors::one().signed(if planar.clockwise { 1 } else { -1 });
-            let way = Line { fixed: Sum::default(), waves: vec![(radius.times(sense), turn, Wave::Way)] };
-            let off = along(&Line::fixed(Sum::one(&radius)), &left_of(&unit));
+            let start = origin.map_or_else(Sum::default, |o| product(&less(&o, &through), &unit));
+            let way = Sum::one(radius.times(self.turns[turn].way).signed(-self.sense_of(body)));
+            let off = along(&Sum::one(&radius), &left(&unit));
             let centre = plus(&plus(&through, &along(&start.plus(&way), &unit)), &off);
             self.put(body, &at, &centre);
             return Ok(());
@@ -1061,27 +1026,26 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.bodies[body].origin = match (held, &guided[..], origin) {
             (Some((at, place)), ..) => less(&place, &from_axis(&axis, &at)),
             (None, [one, other, ..], _) if one.2 != other.2 => {
-                let row = |(at, through, unit): &([Factors; 2], Point, [Factors; 2])| {
-                    let normal = left_of(unit);
-                    let right = dot(through, &normal).less(&dot(&from_axis(&axis, at), &normal));
+                let row = |(at, through, unit): &([Factors; 2], Vector, Vector)| {
+                    let normal = left(unit);
+                    let right = product(&less(through, &from_axis(&axis, at)), &normal);
                     (normal, right)
                 };
                 let ((p, a), (q, b)) = (row(one), row(other));
-                let area = cross(&vector(&p), &vector(&q)).expr().factors();
-                let one = Factors::one().per(&area);
-                let x = a.times(&q[1]).less(&b.times(&p[1])).times(&one);
-                [x, b.times(&p[0]).less(&a.times(&q[0])).times(&one)]
+                let one = Factors::one().per(cross(&p, &q).expr());
+                let both = less(&along(&b, &p), &along(&a, &q));
+                [both[1].opposite(), both[0].clone()].map(|x| x.times(&one))
             }
             (None, [(at, through, unit)], origin) => {
                 // Nothing moves the mass centre along the line.
                 self.open = scene.drifts().is_none();
                 let placed = origin.is_some() && scene.end == End::AtOnce;
-                let start = origin.map_or_else(Line::default, |o| dot(&less(&o, through), unit));
-                let across = dot(&from_axis(&axis, at), &left_of(unit)).times(&Factors::one().opposite());
+                let start = origin.map_or_else(Sum::default, |o| product(&less(&o, through), unit));
+                let across = product(&from_axis(&axis, at), &left(unit)).opposite();
                 // At an instant its axis begins where it is placed.
-                let centre = dot(&axis, unit).times(&self.bodies[body].centre);
+                let centre = product(&axis, unit).times(&self.bodies[body].centre);
                 let ahead = if placed { start } else { start.less(&centre) };
-                plus(through, &plus(&along(&ahead, unit), &along(&across, &left_of(unit))))
+                plus(through, &plus(&along(&ahead, unit), &along(&across, &left(unit))))
             }
             (None, _, Some(place)) if scene.end == End::AtOnce => {
                 self.open = true;
@@ -1183,7 +1147,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         if let Some((_, _, unit, radius)) = track {
             self.ratio(turn, |this, which| {
                 let ahead = this.rates(&place, which);
-                let ahead = product(&ahead, &vector(&unit)).times(Factors::one().per(&radius));
+                let ahead = product(&ahead, &unit).times(Factors::one().per(&radius));
                 if planar.clockwise { ahead.expr() } else { ahead.opposite().expr() }
             });
         } else if let Some((axis, per)) = circle {
@@ -1221,13 +1185,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         else {
             return false;
         };
-        let normal = left(&self.line(line)).map(|x| x.expr().factors());
-        let radius = Line::fixed(Sum::one(self.number(radius, "r", "m")));
+        let normal = left(&self.line(line));
+        let radius = Sum::one(self.number(radius, "r", "m"));
         let (point, on) = (self.spot(at), self.of_spot(on));
         let within = from_axis(&self.axis_of(body), &between(&own, &on));
-        let apart = dot(&plus(&less(&point, &through), &within), &normal).less(&radius);
-        let per = product(&vector(&unit), &vector(&normal)).expr();
-        let place = plus(&through, &along(&apart.times(&Factors::one().per(&per)), &unit));
+        let apart = product(&plus(&less(&point, &through), &within), &normal).less(&radius);
+        let per = Factors::one().per(product(&unit, &normal).expr());
+        let place = plus(&through, &along(&apart.times(per), &unit));
         self.put(body, &own, &place);
         true
     }
@@ -1243,26 +1207,21 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn carried_by_wheel(&mut self, body: usize, placed: &[bool]) -> bool {
         let wheel = self.rolled_on(|at, on| on.body == body && placed[at.body]);
         let (Some((at, radius, line)), false) = (wheel, self.scene.bodies[body].turns) else { return false };
-        let (Some(turn), along_line) = (self.bodies[at.body].turn, self.line(line)) else { return false };
+        let (Some(turn), line) = (self.bodies[at.body].turn, self.line(line)) else { return false };
         let guided = self.guided(body, placed).into_iter().next();
-        let line = along_line.map(|x| x.expr().factors());
-        let (own, through, unit) = guided.unwrap_or_else(|| {
-            let none = || [Factors::zero(), Factors::zero()];
-            (none(), [Line::default(), Line::default()], line.clone())
-        });
-        let centre = dot(&self.spot(at), &unit);
-        let first = Line::fixed(self.at(&centre, START));
+        let (own, through, unit) =
+            guided.unwrap_or_else(|| ([Factors::zero(), Factors::zero()], Vector::default(), line.clone()));
+        let centre = product(&self.spot(at), &unit);
+        let first = self.at(&centre, START);
         let placed_at = self.scene.planar(body).and_then(|p| p.origin_m).map(|place| self.ground(place));
         let start = match placed_at {
             Some(origin) => plus(&origin, &from_axis(&self.axis_of(body), &own)),
             // It lies under the wheel.
-            None => plus(&through, &along(&first.less(&dot(&through, &unit)), &unit)),
+            None => plus(&through, &along(&first.less(&product(&through, &unit)), &unit)),
         };
         let radius = self.number(radius, "r", "m").factors();
-        let share = product(&vector(&line), &vector(&unit)).expr().factors();
-        let size = radius.times(share).signed(self.sense_of(at.body));
-        let rolled = Line { fixed: Sum::default(), waves: vec![(size, turn, Wave::Way)] };
-        let way = centre.less(&first).plus(&rolled);
+        let rolled = radius.times(self.turns[turn].way).signed(self.sense_of(at.body));
+        let way = centre.less(&first).plus(&product(&line, &unit).times(rolled));
         self.put(body, &own, &plus(&start, &along(&way, &unit)));
         true
     }
@@ -1278,13 +1237,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         let Some(on) = line.on else { return false };
         let turn = self.free_turn(body, angles);
         let (sense, upper) = (self.sense_of(body), self.number(upper, "r", "m").factors());
-        let share = product(&self.line(line), &vector(&unit)).expr().factors();
+        let share = product(&self.line(line), &unit).expr();
         let per = lower.opposite().plus(&upper.times(share)).signed(sense);
         let carrier = self.spot(on);
         self.ratio(turn, |this, which| {
-            product(&this.rates(&carrier, which), &vector(&unit)).times(Factors::one().per(&per)).expr()
+            product(&this.rates(&carrier, which), &unit).times(Factors::one().per(&per)).expr()
         });
-        let way = Line { fixed: Sum::default(), waves: vec![(lower.signed(-sense), turn, Wave::Way)] };
+        let way = Sum::one(lower.signed(-sense).times(self.turns[turn].way));
         let start = self.ground(place);
         let start = plus(&start, &from_axis(&self.axis_of(body), &at));
         self.put(body, &at, &plus(&start, &along(&way, &unit)));
@@ -1310,7 +1269,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         if self.scene.bodies[body].turns {
             return false;
         }
-        let [x, y] = [0, 1].map(|i| self.value(&through[i].fixed.expr()));
+        let [x, y] = through.each_ref().map(|x| self.value(&x.expr()));
         let [c, s] = unit.each_ref().map(|u| self.value(&u.expr()));
         let offset = own.each_ref().map(|x| self.value(&x.expr()));
         let at = poses.map(|all| {
@@ -1329,11 +1288,9 @@ impl<'d, 'a> Plane<'d, 'a> {
             })
             .collect();
         let at = [at[0].clone(), at[at.len() - 1].clone()];
-        let (from, across) = ([0.0; 2], [0.0; 2]);
-        self.turns.push(Turn { at, rate: [ONE, ONE], from, across, tag, link: None, slides: true });
-        let turn = self.turns.len() - 1;
-        let slides = Line { fixed: Sum::default(), waves: vec![(Factors::one(), turn, Wave::Slide)] };
-        let own_way = along(&slides, &unit);
+        let turn = self.push_turn(at, [ONE, ONE], [[0.0; 2]; 2], tag);
+        self.turns[turn].slides = true;
+        let own_way = along(&Sum::one(self.turns[turn].way), &unit);
         self.put(body, &own, &plus(&through, &own_way));
         // The lengths of both straight pieces, and their directions toward the pulley.
         let pieces = ends.map(|(spot, from)| less(&self.ground(from), &self.spot(spot)));
@@ -1350,8 +1307,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         if let [[a, b], [c, d]] = &lengths[..] {
             self.loops.push([a + b, c + d].map(|side| self.tex(&side)));
         }
-        let still = [Line::default(), Line::default()];
-        self.keep_up(turn, [&still, &own_way], |this, which| {
+        self.keep_up(turn, [&Vector::default(), &own_way], |this, which| {
             let own = &lengths[which.min(lengths.len() - 1)];
             let units =
                 [0, 1].map(|i| this.places(&pieces[i], which).map(|x| x.times(Factors::one().per(&own[i]))));
@@ -1365,7 +1321,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn turns_in_slot(
         &mut self,
         body: usize,
-        (at, place): (&[Factors; 2], &Point),
+        (at, place): (&[Factors; 2], &Vector),
         placed: &[bool],
         angles: &[Vec<f64>; 2],
     ) -> bool {
@@ -1382,15 +1338,15 @@ impl<'d, 'a> Plane<'d, 'a> {
         let (point, through) = (self.spot(guided), self.spot(on));
         let apart = less(&point, &through);
         let normal = left(&self.turned_with(body, &unit, END));
-        let across = product(&self.places(&apart, END), &normal).plus(&Sum::one(&radius).opposite());
+        let across = product(&self.places(&apart, END), &normal).less(&Sum::one(&radius));
         let sides = across.sides();
         self.loops.push(sides.each_ref().map(|side| self.tex(side)));
         let (sense, within) = (self.sense_of(body), less(&through, place));
         self.ratio(turn, |this, which| {
             // Across the slot the point moves as the slot does there.
             let normal = left(&this.turned_with(body, &unit, which));
-            let share = |this: &Self, p: &Point| product(&this.rates(p, which), &normal);
-            let moves = share(this, &point).plus(&share(this, place).opposite());
+            let share = |this: &Self, p: &Vector| product(&this.rates(p, which), &normal);
+            let moves = share(this, &point).less(&share(this, place));
             let swept = cross(&this.places(&apart, which), &normal).signed(sense);
             moves.expr().over(share(this, &within).plus(&swept).expr())
         });
@@ -1400,7 +1356,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn turns_on_link(
         &mut self,
         body: usize,
-        (at, place): (&[Factors; 2], &Point),
+        (at, place): (&[Factors; 2], &Vector),
         angles: &[Vec<f64>; 2],
     ) -> Option<()> {
         let of_cord =
@@ -1422,7 +1378,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// The other rod of a pair, where both are hinged, and where that one is held.
-    fn pair(&mut self, body: usize, placed: &[bool]) -> Option<(Spot, Spot, ([Factors; 2], Point))> {
+    fn pair(&mut self, body: usize, placed: &[bool]) -> Option<(Spot, Spot, ([Factors; 2], Vector))> {
         let scene = self.scene;
         let hinges = scene.joints.iter().filter_map(|j| hinge_of(j, body));
         let mut open = hinges.filter(|(_, to, _)| !placed[to.body] && scene.bodies[to.body].turns);
@@ -1454,9 +1410,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             .collect();
         [at[0].clone(), at[at.len() - 1].clone()]
     }
-    fn tie(&mut self, line: &Line, right: &Line) {
-        let (left, right) = (self.at(line, END), self.at(right, END));
-        let sides = left.plus(&right.opposite()).sides();
+    fn tie(&mut self, line: &Sum, right: &Sum) {
+        let sides = self.at(line, END).less(&self.at(right, END)).sides();
         let sides = sides.each_ref().map(|side| self.tex(side));
         self.loops.push(sides);
     }
@@ -1480,12 +1435,12 @@ impl<'d, 'a> Plane<'d, 'a> {
     // -- forces ---------------------------------------------------------------------------------------------------------
 
     /// From the point about which moments are taken to a point of a body, right and up.
-    fn lever(&mut self, body: usize, point: &Point) -> Vector {
+    fn lever(&mut self, body: usize, point: &Vector) -> Vector {
         let about = self.pivot.as_ref().map_or_else(|| self.centre(body), |p| p.place.clone());
         self.places(&less(point, &about), self.here)
     }
     /// A force at a point of a body, along a direction of [`Self::frame`].
-    fn pull(&mut self, body: usize, point: &Point, size: Factors, along: Vector) -> Pull {
+    fn pull(&mut self, body: usize, point: &Vector, size: Factors, along: Vector) -> Pull {
         let lever = self.lever(body, point);
         // Toward the pin and across is a frame of the other hand where the angle grows counter-clockwise.
         let hand = if self.pivot.as_ref().is_some_and(|p| p.radial) { -self.sense_of(body) } else { 1 };
@@ -1494,7 +1449,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// A known force at a point of a body.
-    pub fn add_pull(&mut self, body: usize, point: &Point, size: Factors, along: Vector) {
+    pub fn add_pull(&mut self, body: usize, point: &Vector, size: Factors, along: Vector) {
         let pull = self.pull(body, point, size, along);
         self.pulls.push(pull);
     }
@@ -1511,7 +1466,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 continue;
             }
             let unit = self.direction(push.direction_deg);
-            let along = if push.turns { self.turned_with(push.at.body, &unit, END) } else { vector(&unit) };
+            let along = if push.turns { self.turned_with(push.at.body, &unit, END) } else { unit.clone() };
             let (point, along) = (self.spot(push.at), self.frame(&along));
             let pull = self.pull(push.at.body, &point, size.clone(), along);
             let moment = pull.turn.times(size.signed(self.sense_of(push.at.body))).expr();
@@ -1527,7 +1482,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                     self.page.step(symbol, symbol.into()).into()
                 }
                 (false, _) => {
-                    let line = dot(&self.spot(push.at), &unit);
+                    let line = product(&self.spot(push.at), &unit);
                     size.by(self.change(&line).expr())
                 }
             };
@@ -1559,21 +1514,21 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// Weights, and the apparent forces of what is carried: in proportion to the mass, against a direction.
     fn weigh(&mut self) {
-        let up = (self.g.clone(), [Factors::zero(), Factors::one()], self.bodies.len() > 1);
+        let [_, up] = axes();
+        let up = (self.g.clone(), up, self.bodies.len() > 1);
         let carrier = self.carrier.iter().filter(|c| c.acceleration != ZERO);
-        let carried =
-            carrier.map(|c| (c.acceleration.clone(), c.direction.each_ref().map(Cancel::factors), false));
+        let carried = carrier.map(|c| (c.acceleration.clone(), c.direction.each_ref().map(Sum::one), false));
         let fields: Vec<_> = (!self.scene.lies_level()).then_some(up).into_iter().chain(carried).collect();
         for (rate, unit, named) in fields {
             for body in 0..self.bodies.len() {
                 let (force, centre) = (self.bodies[body].mass.times(&rate), self.centre(body));
-                let against = self.frame(&vector(&unit).map(|x| x.opposite()));
+                let against = self.frame(&unit.each_ref().map(|x| x.opposite()));
                 self.add_pull(body, &centre, force.clone(), against);
                 if self.scene.end == End::AtOnce {
                     continue;
                 }
-                let way = dot(&centre, &unit);
-                let back = self.at(&way, START).plus(&self.at(&way, END).opposite()).expr();
+                let way = product(&centre, &unit);
+                let back = self.at(&way, START).less(&self.at(&way, END)).expr();
                 // A body that is guided along a level does not sink, though its place is told by angles.
                 if self.value(&back).abs() > NOTHING {
                     let tag = self.bodies[body].tag.clone();
@@ -1633,7 +1588,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             StrutEnd::Twist => near.clone(),
             StrutEnd::Guide { through_m, direction_deg } => {
                 let (through, unit) = (self.ground(through_m), self.direction(direction_deg));
-                plus(&through, &along(&dot(&less(&near, &through), &unit), &unit))
+                plus(&through, &along(&product(&less(&near, &through), &unit), &unit))
             }
         };
         let apart = less(&far, &near);
@@ -1950,7 +1905,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 let v = self.rates(&less(&point, &self.centre(on.body)), END);
                 let spun = left(&lever).map(|x| x.times(&spin).signed(self.sense_of(on.body)));
                 let along = [u[1].clone(), u[0].opposite()];
-                let slides = product(&[0, 1].map(|i| v[i].plus(&spun[i].opposite())), &along);
+                let slides = product(&less(&v, &spun), &along);
                 inward = inward.plus(&product(&back, &lever).times(square(&spin)));
                 let twice = spin.by(number(2)).factors().signed(self.sense_of(on.body));
                 inward = inward.plus(&slides.times(twice));
@@ -2177,10 +2132,10 @@ impl<'d, 'a> Plane<'d, 'a> {
     // -- what follows ---------------------------------------------------------------------------------------------------
 
     /// Speed of a point per unit rate of the leading angle, as it is written: without a radical where there is none.
-    fn speed(&self, point: &Point, unit: Option<&[Factors; 2]>) -> Expr {
+    fn speed(&self, point: &Vector, unit: Option<&Vector>) -> Expr {
         let v = self.rates(point, END);
         let is = match (unit, v[0].is_zero(), v[1].is_zero()) {
-            (Some(unit), ..) => product(&v, &vector(unit)).expr(),
+            (Some(unit), ..) => product(&v, unit).expr(),
             (None, true, _) => v[1].expr(),
             (None, false, true) => v[0].expr(),
             (None, false, false) => {
@@ -2194,7 +2149,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         in_sense(is, sense)
     }
     /// The line along which a joint guides a body that does not turn.
-    fn line_of(&mut self, body: usize) -> Option<[Factors; 2]> {
+    fn line_of(&mut self, body: usize) -> Option<Vector> {
         let own = |j: &&Joint| j.kind.surface().is_some_and(|(at, ..)| at.body == body);
         let mut lines = self.scene.joints.iter().filter(own).filter_map(|j| j.kind.line());
         let line = lines.next().filter(|_| !self.scene.bodies[body].turns)?;
@@ -2286,8 +2241,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         {
             return None;
         }
-        let by_rate = bends.plus(&ahead.by(&curve).opposite());
-        let by_rest = ahead.by(&power).plus(&given.opposite());
+        let by_rate = bends.less(&ahead.by(&curve));
+        let by_rest = ahead.by(&power).less(&given);
         let squared = square(&self.first) + sum(self.works.iter().map(|w| w.by(number(2)).over(j)));
         let spread = |sum: &Sum, by: &Expr| {
             let all: Sum = by.terms().into_iter().map(|b| sum.times(&b)).sum();
@@ -2433,8 +2388,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         let pin = self.scene.only_pin()?;
         let place = self.spot(pin);
         let on_pin = self.of_spot(pin);
-        let lines: Vec<Point> = (0..self.bodies.len()).map(|b| self.centre(b)).collect();
-        let mut at = |point: &Point| [0, 1].map(|i| self.at(&point[i], END).expr());
+        let lines: Vec<Vector> = (0..self.bodies.len()).map(|b| self.centre(b)).collect();
+        let mut at = |point: &Vector| self.places(point, END).map(|x| x.expr());
         let (place, centres): ([Expr; 2], Vec<[Expr; 2]>) = (at(&place), lines.iter().map(at).collect());
         let masses: Vec<Expr> = self.bodies.iter().map(|b| b.mass.expr()).collect();
         let own = |b: usize| sum(self.bodies[b].inertia.iter().map(Factors::expr));
