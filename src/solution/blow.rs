@@ -546,7 +546,7 @@ impl Plane<'_, '_> {
                     true => t.per(symbol).each(&rest).opposite(),
                     false => t.each(&share),
                 };
-                *other = other.terms().iter().map(put).sum::<Sum>().primitive();
+                *other = other.terms().iter().map(put).sum::<Sum>().primitive(&open);
             }
         }
         for (symbol, is) in first.into_iter().chain(last) {

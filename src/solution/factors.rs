@@ -382,10 +382,12 @@ impl Sum {
     pub fn by(&self, other: &Self) -> Self {
         Self::of(self.0.iter().flat_map(|a| other.0.iter().map(move |b| a.times(b))))
     }
-    /// Without what several terms all have in front.
+    /// Without what all terms have in front, but for these symbols.
     #[must_use]
-    pub fn primitive(&self) -> Self {
-        if self.0.len() < 2 { self.clone() } else { self.times(Factors::one().per(common(&self.0))) }
+    pub fn primitive(&self, but: &[SymbolId]) -> Self {
+        let mut common = common(&self.0);
+        common.over.retain(|f| !but.iter().any(|s| *f == Expr::Symbol(*s)));
+        self.times(Factors::one().per(common))
     }
     /// As an expression: what is added first, what all have in front.
     pub fn expr(&self) -> Expr {

@@ -2249,7 +2249,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             all.terms().iter().flat_map(|t| t.spread(symbol)).collect::<Vec<_>>()
         };
         let rest = spread(&by_rest, &ONE);
-        let shared = |all: [Vec<Factors>; 2]| Sum::of(all.concat()).primitive();
+        let shared = |all: [Vec<Factors>; 2]| Sum::of(all.concat()).primitive(&[]);
         let [plus, minus] = shared([spread(&by_rate, &square(self.rate)), rest.clone()]).sides();
         let whole = shared([spread(&by_rate, &squared), rest]);
         let whole = sum(whole.terms().iter().map(Factors::expr));
