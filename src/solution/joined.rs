@@ -98,9 +98,17 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             self.at_rest()?;
         } else if self.instant() && self.blow.is_some() {
             let (rate, is) = (self.rate, self.positive(&self.first));
-            // The blow has been told to change what there was.
+            // The blow has been told to change what there was; else it bears what it gives.
             let added = matches!(is, Expr::Sum(_));
-            self.page.step(rate, is);
+            match self.first {
+                Expr::Symbol(own) if self.pivot.is_some() => {
+                    let own = self.page.sized(own);
+                    (self.rate, self.bodies[0].omega) = (own, Some(own));
+                }
+                _ => {
+                    self.page.step(rate, is);
+                }
+            }
             let hangs = |l: &Label| matches!(l.quantity, Quantity::Omega | Quantity::KineticEnergy);
             if added && self.needed().iter().any(hangs) {
                 self.say("impact.added", &[]);
@@ -347,22 +355,19 @@ impl<'d, 'a> Plane<'d, 'a> {
             let mut symbols: Vec<SymbolId> = turn.at.iter().filter(|e| own(e)).flat_map(Expr::uses).collect();
             symbols.dedup();
             let list: Vec<String> = symbols.iter().map(|s| self.shown(*s)).collect();
-            Some((turn.slides, symbols.is_empty(), format!("{name} {}", list.join(", "))))
+            (!symbols.is_empty()).then(|| (turn.slides, format!("{name} {}", list.join(", "))))
         });
-        let (slides, angles): (Vec<_>, Vec<_>) = angles.partition(|(slides, ..)| *slides);
-        let slides: Vec<String> = slides.into_iter().map(|(.., place)| place).collect();
+        let (slides, angles): (Vec<_>, Vec<_>) = angles.partition(|(slides, _)| *slides);
+        let all =
+            |list: Vec<(bool, String)>| Vec::from_iter(list.into_iter().map(|(_, told)| told)).join("; ");
+        let [slides, angles] = [slides, angles].map(all);
         if !slides.is_empty() {
-            self.say("joined.slides", &[("places", &slides.join("; "))]);
+            self.say("joined.slides", &[("places", &slides)]);
         }
-        let angles: Vec<(bool, String)> = angles.into_iter().map(|(_, none, text)| (none, text)).collect();
-        if angles.iter().all(|(none, _)| *none) {
-            let loops: Vec<String> = self.loops.iter().map(|[a, b]| format!("{a} = {b}")).collect();
-            self.formulas_or_one(loops);
-            return;
+        if !angles.is_empty() {
+            let name = if self.loops.is_empty() { "joined.angles_alone" } else { "joined.angles" };
+            self.say(name, &[("angles", &angles)]);
         }
-        let angles: Vec<String> = angles.into_iter().map(|(_, angle)| angle).collect();
-        let name = if self.loops.is_empty() { "joined.angles_alone" } else { "joined.angles" };
-        self.say(name, &[("angles", &angles.join("; "))]);
         let loops: Vec<String> = self.loops.iter().map(|[a, b]| format!("{a} = {b}")).collect();
         self.formulas_or_one(loops);
     }
@@ -468,7 +473,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             let notes = [
                 ("joined.in_radians", angles),
                 ("joined.of_springs", self.scene.struts.iter().any(|s| !s.twists())),
-                ("joined.sinking", needed.iter().any(|s| self.symbols.tex(*s).starts_with(['h', 'H']))),
+                ("joined.sinking", needed.iter().any(|s| self.heights.contains(s))),
             ];
             let notes = notes.into_iter().filter(|(_, there)| *there);
             let tag = if self.scene.struts.len() > 1 { ",1" } else { "" };

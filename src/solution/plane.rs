@@ -57,9 +57,8 @@ pub struct Turn {
     way: SymbolId,
     /// Its rate, per unit rate of the leading one; 0 at an instant of rest.
     pub rate: [Expr; 2],
-    /// The axis is `from cos + across sin`.
-    from: [f64; 2],
-    across: [f64; 2],
+    /// The axis that turns by it.
+    axis: Vector,
     /// What stands below its symbols.
     pub tag: String,
     /// The joint of a light rod or a cord, which is no body, and its length.
@@ -238,6 +237,8 @@ pub struct Plane<'d, 'a> {
     pub placed: usize,
     /// Which are those of the forces.
     pub acted: Range<usize>,
+    /// By how much mass centres sink.
+    pub heights: Vec<SymbolId>,
     /// Components of unit vectors along springs and cords.
     pub units: Vec<SymbolId>,
     /// The pin of a single body.
@@ -312,6 +313,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             j: None,
             placed: 0,
             acted: 0..0,
+            heights: Vec::new(),
             units: Vec::new(),
             pivot: None,
             k: None,
@@ -438,7 +440,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             false => self.named(&[tagged(plane, &plain)], "N"),
         });
         self.j = Some(about);
-        let (up, name) = (self.turns[0].from[1] > 0.0, format!("${name}$"));
+        let up = self.value(&self.from_where(0)[1].expr()) > 0.0;
+        let name = format!("${name}$");
         self.pivot = Some(Pivot { name, h, own, about, force, radial, up, place });
     }
 
@@ -594,39 +597,28 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     // -- places ---------------------------------------------------------------------------------------------------------
 
+    /// A new angle, by which the axis of a body turns from where it is at 0.
     fn add_turn(&mut self, body: usize, at: [Expr; 2], rate: [Expr; 2]) -> usize {
-        let it = &self.bodies[body];
-        let from = self.scene.planar(body).map_or([1.0, 0.0], |p| p.from.components());
-        let sense = if it.clockwise { -1.0 } else { 1.0 };
-        let (across, tag) = ([-from[1] * sense, from[0] * sense], it.tag.clone());
-        self.push_turn(at, rate, [from, across], tag)
+        let from = self.from_where(body);
+        self.push_turn(at, rate, from, self.sense_of(body), self.bodies[body].tag.clone())
     }
-    fn push_turn(
-        &mut self,
-        at: [Expr; 2],
-        rate: [Expr; 2],
-        [from, across]: [[f64; 2]; 2],
-        tag: String,
-    ) -> usize {
+    fn push_turn(&mut self, at: [Expr; 2], rate: [Expr; 2], from: Vector, sense: i8, tag: String) -> usize {
         let [angle, way] = ["", ""].map(|name| self.unknown(name, "rad"));
-        self.turns.push(Turn { at, angle, way, rate, from, across, tag, link: None, slides: false });
+        let [ahead, aside] = [cosine(angle), sine(angle)].map(Factors::from);
+        let axis = from_axis(&from, &[ahead, aside.signed(sense)]);
+        self.turns.push(Turn { at, angle, way, rate, axis, tag, link: None, slides: false });
         self.turns.len() - 1
     }
+    /// From where the angle of a body counts.
+    fn from_where(&self, body: usize) -> Vector {
+        let from = self.scene.planar(body).map_or([1.0, 0.0], |p| p.from.components());
+        from.map(|x| Sum::one(sign(x)))
+    }
     fn axis(&self, turn: usize) -> Vector {
-        let t = &self.turns[turn];
-        [0, 1].map(|i| {
-            let waves = [sign(t.from[i]).times(cosine(t.angle)), sign(t.across[i]).times(sine(t.angle))];
-            Sum::of(waves)
-        })
+        self.turns[turn].axis.clone()
     }
     fn axis_of(&self, body: usize) -> Vector {
-        match self.bodies[body].turn {
-            Some(turn) => self.axis(turn),
-            None => {
-                let from = self.scene.planar(body).map_or([1.0, 0.0], |p| p.from.components());
-                from.map(|x| Sum::one(sign(x)))
-            }
-        }
+        self.bodies[body].turn.map_or_else(|| self.from_where(body), |turn| self.axis(turn))
     }
     fn point(&self, body: usize, at: &[Factors; 2]) -> Vector {
         plus(&self.bodies[body].origin, &from_axis(&self.axis_of(body), at))
@@ -857,8 +849,9 @@ impl<'d, 'a> Plane<'d, 'a> {
             is => self.page.find(&[tagged(r"\ell", &plain)], "m", is),
         };
         let tag = if plain.is_empty() { r"\ell".to_owned() } else { plain };
-        let at = self.free_angle(&tag, degrees);
-        let turn = self.push_turn(at, [ONE, ONE], [[1.0, 0.0], [0.0, 1.0]], tag);
+        let at = self.free_angle(&tag, degrees, true);
+        let [right, _] = axes();
+        let turn = self.push_turn(at, [ONE, ONE], right, 1, tag);
         self.turns[turn].link = Some((joint, length));
         Some((turn, length.into()))
     }
@@ -1109,7 +1102,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
         if let Some(to) = self.welded(body, placed) {
             let Some(other) = self.bodies[to].turn else { return unfound() };
-            let turn = self.free_turn(body, angles);
+            let turn = self.free_turn(body, angles, false);
             let same = self.bodies[body].clockwise == self.bodies[to].clockwise;
             self.turns[turn].rate = self.turns[other].rate.clone().map(|r| signed(r, same));
             self.put(body, &at, &place);
@@ -1131,18 +1124,12 @@ impl<'d, 'a> Plane<'d, 'a> {
             if moves {
                 return Ok(false);
             }
-            // One that lies along the direction from which it counts needs no letter.
-            let level = angles.iter().all(|all| all[body].abs() < NOTHING.to_degrees());
-            let turn = match level {
-                true => self.add_turn(body, [ZERO, ZERO], [ZERO, ZERO]),
-                false => self.free_turn(body, angles),
-            };
-            self.bodies[body].turn = Some(turn);
+            let turn = self.free_turn(body, angles, false);
             self.turns[turn].rate = [ZERO, ZERO];
             self.put(body, &at, &place);
             return Ok(true);
         }
-        let turn = self.free_turn(body, angles);
+        let turn = self.free_turn(body, angles, track.is_none() && circle.is_none());
         self.put(body, &at, &place);
         if let Some((_, _, unit, radius)) = track {
             self.ratio(turn, |this, which| {
@@ -1161,7 +1148,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         } else if let Some((own, other, far)) = pair {
             placed[other.body] = true;
             let own = between(&self.of_spot(own), &at);
-            let second = self.free_turn(other.body, angles);
+            let second = self.free_turn(other.body, angles, true);
             let to = between(&self.of_spot(other), &far.0);
             self.put(other.body, &far.0, &far.1);
             let ends = [from_axis(&self.axis(turn), &own), from_axis(&self.axis(second), &to)];
@@ -1235,7 +1222,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             return false;
         };
         let Some(on) = line.on else { return false };
-        let turn = self.free_turn(body, angles);
+        let turn = self.free_turn(body, angles, false);
         let (sense, upper) = (self.sense_of(body), self.number(upper, "r", "m").factors());
         let share = product(&self.line(line), &unit).expr();
         let per = lower.opposite().plus(&upper.times(share)).signed(sense);
@@ -1288,7 +1275,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             })
             .collect();
         let at = [at[0].clone(), at[at.len() - 1].clone()];
-        let turn = self.push_turn(at, [ONE, ONE], [[0.0; 2]; 2], tag);
+        let turn = self.push_turn(at, [ONE, ONE], Vector::default(), 1, tag);
         self.turns[turn].slides = true;
         let own_way = along(&Sum::one(self.turns[turn].way), &unit);
         self.put(body, &own, &plus(&through, &own_way));
@@ -1332,7 +1319,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             Some((guided, radius, line, on))
         });
         let Some((guided, radius, line, on)) = slot else { return false };
-        let turn = self.free_turn(body, angles);
+        let turn = self.free_turn(body, angles, true);
         self.put(body, at, place);
         let (unit, radius) = (self.direction(line.direction_deg), self.number(radius, "r", "m"));
         let (point, through) = (self.spot(guided), self.spot(on));
@@ -1362,7 +1349,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let of_cord =
             |joint: usize| matches!(self.scene.joints[joint].kind, JointKind::Cord { beyond: None, .. });
         let link = self.links(body).into_iter().find(|(.., joint)| of_cord(*joint))?;
-        let turn = self.free_turn(body, angles);
+        let turn = self.free_turn(body, angles, true);
         self.put(body, at, place);
         let (second, length) = self.link(link)?;
         let (to, far) = (self.of_spot(link.0), self.ground(link.1));
@@ -1386,28 +1373,29 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// The angle of a body that its joints give; its own rate is 1 until it is known.
-    fn free_turn(&mut self, body: usize, angles: &[Vec<f64>; 2]) -> usize {
+    fn free_turn(&mut self, body: usize, angles: &[Vec<f64>; 2], closes: bool) -> usize {
         let tag = self.bodies[body].tag.clone();
-        let at = self.free_angle(&tag, angles.each_ref().map(|all| all[body]));
+        let at = self.free_angle(&tag, angles.each_ref().map(|all| all[body]), closes);
         let turn = self.add_turn(body, at, [ONE, ONE]);
         self.bodies[body].turn = Some(turn);
         turn
     }
     /// A new angle, at the start and at the asked place, by the next letter.
-    fn free_angle(&mut self, tag: &str, degrees: [f64; 2]) -> [Expr; 2] {
+    fn free_angle(&mut self, tag: &str, degrees: [f64; 2], closes: bool) -> [Expr; 2] {
         let letters = [r"\beta", r"\gamma", r"\psi", r"\chi"];
         let letters: Vec<&str> = letters.into_iter().skip(self.turns.len().saturating_sub(1)).collect();
         let tex = if letters.is_empty() { tagged(r"\psi", tag) } else { self.free(&letters) };
         let marks: &[&str] = if self.scene.end == End::AtOnce { &[""] } else { &["0", "1"] };
-        let at: Vec<Expr> = marks
-            .iter()
-            .zip(degrees)
-            .map(|(mark, degrees)| {
-                let symbol = self.symbols.given(&tagged(&tex, mark), f64::NAN, "", "", true);
-                self.symbols.settle(symbol, degrees, 0.0);
-                symbol.into()
-            })
-            .collect();
+        // One that lies along the direction from which it counts, and closes no loop, needs no letter.
+        if !closes && degrees[..marks.len()].iter().all(|at| at.abs() < NOTHING.to_degrees()) {
+            return [ZERO, ZERO];
+        }
+        let at = marks.iter().zip(degrees).map(|(mark, degrees)| {
+            let symbol = self.symbols.given(&tagged(&tex, mark), f64::NAN, "", "", true);
+            self.symbols.settle(symbol, degrees, 0.0);
+            Expr::from(symbol)
+        });
+        let at: Vec<Expr> = at.collect();
         [at[0].clone(), at[at.len() - 1].clone()]
     }
     fn tie(&mut self, line: &Sum, right: &Sum) {
@@ -1533,6 +1521,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 if self.value(&back).abs() > NOTHING {
                     let tag = self.bodies[body].tag.clone();
                     let back = if named { self.named_by(["h", "H"], &tag, "m", back) } else { back };
+                    self.heights.extend(back.uses().into_iter().filter(|_| named));
                     self.works.push(force.by(&back));
                 }
             }
@@ -1865,14 +1854,30 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
         if let Some(force) = grip {
             self.add_hold(joint, force, &[(at, along)], &[]);
-            let turn = Sum::one(&rim);
+            let other = self.borne(joint, at).map(|(.., rim)| rim.signed(-sense));
+            let rims = std::iter::once(rim).chain(other);
             if let Some(hold) = self.holds.last_mut() {
-                for (pull, sense) in hold.pulls.iter_mut().zip([1, -1]) {
-                    pull.turn = pull.turn.plus(&turn.signed(sense));
+                for (pull, rim) in hold.pulls.iter_mut().zip(rims) {
+                    pull.turn = pull.turn.plus(&Sum::one(rim));
                 }
             }
         }
         (right, radius)
+    }
+
+    /// What bears the opposite of a force on this point: a point of that body in the line of what presses, and how far below it a force
+    /// along the surface acts. What presses on a cylinder goes through its axis.
+    fn borne(&mut self, joint: usize, at: Spot) -> Option<(Spot, Vector, Factors)> {
+        let kind = self.scene.joints[joint].kind;
+        let on = kind.bearer()?;
+        let (_, radius, surface) = kind.surface()?;
+        Some(match surface {
+            Surface::Line(_) => (on, self.spot(at), self.number(radius, "r", "m").factors()),
+            Surface::Arc { radius_m: arc, inside, .. } => {
+                let rim = self.number(arc, "R", "m").factors();
+                (on, self.spot(on), rim.signed(if inside { 1 } else { -1 }))
+            }
+        })
     }
 
     fn add_hold(&mut self, joint: usize, force: SymbolId, ends: &[(Spot, Vector)], toward: &[Factors]) {
@@ -1897,8 +1902,10 @@ impl<'d, 'a> Plane<'d, 'a> {
                     self.glides.as_ref().map_or(ZERO, |speed| toward.times(speed.factors().squared()).expr());
             }
         }
-        if let (Some(on), [(at, u)]) = (self.scene.joints[joint].kind.bearer(), ends) {
-            let (point, back) = (self.spot(*at), u.each_ref().map(|x| x.signed(-1)));
+        if let [(at, u)] = ends
+            && let Some((on, point, _)) = self.borne(joint, *at)
+        {
+            let back = u.each_ref().map(|x| x.signed(-1));
             if self.moves && self.scene.joints[joint].kind.carrier().is_some() {
                 // The line turns: what is on it has the acceleration of its place there, and that of Coriolis.
                 let (lever, spin) = (self.lever(on.body, &point), self.spin(on.body));
@@ -1930,10 +1937,10 @@ impl<'d, 'a> Plane<'d, 'a> {
         let along = line.each_ref().map(|x| x.signed(sense));
         let point = self.spot(at);
         let size = mu.factors().times(normal);
-        if let Some(on) = self.scene.joints[joint].kind.bearer() {
+        if let Some((on, point, rim)) = self.borne(joint, at) {
             let back = along.each_ref().map(|x| x.signed(-1));
             self.add_pull(on.body, &point, size.clone(), back);
-            self.at_the_rim(&radius, -sense);
+            self.at_the_rim(&rim, -sense);
         }
         self.add_pull(at.body, &point, size, along);
         self.at_the_rim(&radius, sense);
@@ -2439,8 +2446,12 @@ impl<'d, 'a> Plane<'d, 'a> {
             if let (true, Owner::Joint(j)) = (is_impulse(label.quantity), label.of) {
                 return Ok(self.impulse_of(&blow, j, label.quantity));
             }
-            let free = self.scene.end == End::AtOnce && self.pivot.is_none() && blow.from_rest;
-            if free && let Some(found) = self.just_after(&blow, label) {
+            let own = self.pivot.is_none() || label.quantity == Q::KineticEnergy;
+            if own
+                && blow.from_rest
+                && self.scene.end == End::AtOnce
+                && let Some(found) = self.just_after(&blow, label)
+            {
                 return Ok(Some(found));
             }
         }
@@ -2487,12 +2498,6 @@ impl<'d, 'a> Plane<'d, 'a> {
             Q::RotationalFraction => ([r"\eta", r"\beta"], pivot.own.over(about)),
             Q::AngularMomentum => (["L", r"\Lambda"], about.by(of(self, Q::Omega)?)),
             Q::WorkCouple => (["W_{M}", "A_{M}"], self.couple(0, None).by(self.turned())),
-            Q::PowerCouple => {
-                let rate = of(self, Q::Omega)?;
-                let turns = self.symbols.value(rate) != 0.0;
-                let power = self.couple(0, None).by(in_sense(rate.into(), self.sense));
-                ([r"\dot{W}_{M}", r"\dot{A}_{M}"], if turns { power } else { ZERO })
-            }
             Q::OmegaMax => {
                 let height = signed(cosine(&self.turns[0].at[START]), pivot.up);
                 let gained = mgh.times(number(2)).by(ONE + height).over(about);
