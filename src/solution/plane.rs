@@ -329,7 +329,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             let (tex, unit) = START_NAMES[usize::from(c.degree == Degree::Turn)];
             this.first = this.number(given, tex, unit);
             // A speed that is told by its direction may let the leading angle fall.
-            let numbers = Numbers::<f64>::new(this.scene, &this.values);
+            let numbers = this.numbers();
             let rate = Layout::new(this.scene, &numbers).and_then(|layout| layout.start_rate());
             if let (Degree::Along, Some(rate)) = (c.degree, rate) {
                 let sense = rate * this.value(&this.first);
@@ -395,7 +395,7 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// The direction in which parallel guides carry the leading body.
     fn gliding(&self) -> Option<[f64; 2]> {
-        Layout::new(self.scene, &Numbers::<f64>::new(self.scene, &self.values))?.glide()
+        Layout::new(self.scene, &self.numbers())?.glide()
     }
 
     /// The velocity at which parallel guides carry it, to the right (0) or up (1).
@@ -485,10 +485,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.first = self.first.over(&per);
         if self.value(&self.first).is_finite() { Ok(()) } else { unfound() }
     }
+    /// The numbers of the scene.
+    fn numbers(&self) -> Numbers<'_, f64> {
+        Numbers::new(self.scene, &self.values)
+    }
     /// Where all bodies are when the leading angle has changed by this, rad, in numbers.
     fn poses(&self, way: f64, at_start: bool) -> Option<Poses<Jet<f64>>> {
-        let numbers = Numbers::<f64>::new(self.scene, &self.values);
-        Layout::new(self.scene, &numbers)?.poses::<Jet<f64>>(way, at_start)
+        Layout::new(self.scene, &self.numbers())?.poses::<Jet<f64>>(way, at_start)
     }
 
     fn read_bodies(&mut self) {
@@ -826,7 +829,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     /// The angle of a light rod or a cord, from its fixed place to the point that it holds, and its length: that at the start.
     fn link(&mut self, (at, place, joint): (Spot, [Num; 2], usize)) -> Option<(usize, Factors)> {
-        let numbers = Numbers::<f64>::new(self.scene, &self.values);
+        let numbers = self.numbers();
         let ([x, y], own) = (pose::ground(&numbers, place), pose::of_spot(self.scene, &numbers, at));
         let degrees = self.both_poses()?.map(|poses| {
             let [u, w] = poses[at.body].point(own).map(|c| c.value);
@@ -919,7 +922,7 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// The change of the leading angle in degrees that the key has, with its sign.
     fn way_of_key(&self) -> Option<f64> {
-        let numbers = Numbers::<f64>::new(self.scene, &self.values);
+        let numbers = self.numbers();
         let per_way = Layout::new(self.scene, &numbers)?.turned(1.0);
         let way = self.key(of_body(Quantity::Phi, self.lead))? / per_way;
         let [force, ..] = self.balance_after(0.0)?;
@@ -930,7 +933,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Force, inertia and bend of the balance of work `J q'' + B q'^2 = Q` where the leading angle has changed by this, rad: as that
     /// method has them.
     pub fn balance_after(&self, way: f64) -> Option<[f64; 3]> {
-        energy::joined::balance_after(self.scene, &Numbers::new(self.scene, &self.values), way)
+        energy::joined::balance_after(self.scene, &self.numbers(), way)
     }
     /// By how much the leading angle has changed at the asked place, rad.
     pub fn way(&self) -> f64 {
@@ -1159,16 +1162,10 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// Places a body that is guided without turning, in whose slot a point of another body is, as a Scotch yoke.
     fn slotted(&mut self, body: usize, placed: &[bool]) -> bool {
-        let scene = self.scene;
-        let slot = scene.joints.iter().find_map(|joint| {
-            let (at, radius, surface) = joint.kind.surface().filter(|_| !joint.kind.rolls()[0])?;
-            let Surface::Line(line) = surface else { return None };
-            let on = line.on.filter(|on| on.body == body && placed[at.body])?;
-            Some((at, radius, line, on))
-        });
+        let slot = self.line_on(false, |at, on| on.body == body && placed[at.body]);
         let guided = self.guided(body, placed).into_iter().next();
         let (Some((at, radius, line, on)), Some((own, through, unit)), false) =
-            (slot, guided, scene.bodies[body].turns)
+            (slot, guided, self.scene.bodies[body].turns)
         else {
             return false;
         };
@@ -1182,18 +1179,25 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.put(body, &own, &place);
         true
     }
-    /// The line of a joint at which a wheel rolls on a body: the wheel's centre, its radius, the line.
-    fn rolled_on(&self, which: impl Fn(Spot, Spot) -> bool) -> Option<(Spot, Num, Straight)> {
-        self.scene.joints.iter().filter(|joint| joint.kind.rolls()[0]).find_map(|joint| {
-            let (at, radius, surface) = joint.kind.surface()?;
+    /// The line of a body on which a wheel rolls or a point slides: the wheel's centre, its radius, the line, a point of the body.
+    fn line_on(
+        &self,
+        rolls: bool,
+        which: impl Fn(Spot, Spot) -> bool,
+    ) -> Option<(Spot, Num, Straight, Spot)> {
+        let joints = self.scene.joints.iter().filter(|joint| joint.kind.rolls()[0] == rolls);
+        joints.filter_map(|joint| joint.kind.surface()).find_map(|(at, radius, surface)| {
             let Surface::Line(line) = surface else { return None };
-            which(at, line.on?).then_some((at, radius, line))
+            let on = line.on.filter(|on| which(at, *on))?;
+            Some((at, radius, line, on))
         })
     }
     /// Places a body without a turn that a wheel with a place carries along: a rack in its bed, a plank on rollers.
     fn carried_by_wheel(&mut self, body: usize, placed: &[bool]) -> bool {
-        let wheel = self.rolled_on(|at, on| on.body == body && placed[at.body]);
-        let (Some((at, radius, line)), false) = (wheel, self.scene.bodies[body].turns) else { return false };
+        let wheel = self.line_on(true, |at, on| on.body == body && placed[at.body]);
+        let (Some((at, radius, line, _)), false) = (wheel, self.scene.bodies[body].turns) else {
+            return false;
+        };
         let (Some(turn), line) = (self.bodies[at.body].turn, self.line(line)) else { return false };
         let guided = self.guided(body, placed).into_iter().next();
         let (own, through, unit) =
@@ -1214,14 +1218,13 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     /// Places a wheel between two lines: it rolls on a fixed one and under a body with a place.
     fn rolls_between(&mut self, body: usize, placed: &[bool], angles: &[Vec<f64>; 2]) -> bool {
-        let upper = self.rolled_on(|at, on| at.body == body && placed[on.body]);
+        let upper = self.line_on(true, |at, on| at.body == body && placed[on.body]);
         let place = self.scene.planar(body).and_then(|p| p.origin_m);
-        let (Some((_, upper, line)), Some(place), Some((at, _, unit, lower))) =
+        let (Some((_, upper, line, on)), Some(place), Some((at, _, unit, lower))) =
             (upper, place, self.rolls(body))
         else {
             return false;
         };
-        let Some(on) = line.on else { return false };
         let turn = self.free_turn(body, angles, false);
         let (sense, upper) = (self.sense_of(body), self.number(upper, "r", "m").factors());
         let share = product(&self.line(line), &unit).expr();
@@ -1264,17 +1267,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             (u - x) * c + (w - y) * s
         });
         let tag = self.bodies[body].tag.clone();
-        let marks: &[&str] = if self.scene.end == End::AtOnce { &[""] } else { &["0", "1"] };
-        let at: Vec<Expr> = marks
-            .iter()
-            .zip(at)
-            .map(|(mark, at)| {
-                let symbol = self.named(&[tagged("s", &format!("{tag}{mark}"))], "m");
-                self.symbols.settle(symbol, at, 0.0);
-                symbol.into()
-            })
-            .collect();
-        let at = [at[0].clone(), at[at.len() - 1].clone()];
+        let at = self.at_places(at, |this, mark| this.named(&[tagged("s", &format!("{tag}{mark}"))], "m"));
         let turn = self.push_turn(at, [ONE, ONE], Vector::default(), 1, tag);
         self.turns[turn].slides = true;
         let own_way = along(&Sum::one(self.turns[turn].way), &unit);
@@ -1312,12 +1305,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         placed: &[bool],
         angles: &[Vec<f64>; 2],
     ) -> bool {
-        let slot = self.scene.joints.iter().filter(|joint| !joint.kind.rolls()[0]).find_map(|joint| {
-            let (guided, radius, surface) = joint.kind.surface()?;
-            let Surface::Line(line) = surface else { return None };
-            let on = line.on.filter(|on| on.body == body && placed[guided.body])?;
-            Some((guided, radius, line, on))
-        });
+        let slot = self.line_on(false, |at, on| on.body == body && placed[at.body]);
         let Some((guided, radius, line, on)) = slot else { return false };
         let turn = self.free_turn(body, angles, true);
         self.put(body, at, place);
@@ -1385,18 +1373,22 @@ impl<'d, 'a> Plane<'d, 'a> {
         let letters = [r"\beta", r"\gamma", r"\psi", r"\chi"];
         let letters: Vec<&str> = letters.into_iter().skip(self.turns.len().saturating_sub(1)).collect();
         let tex = if letters.is_empty() { tagged(r"\psi", tag) } else { self.free(&letters) };
-        let marks: &[&str] = if self.scene.end == End::AtOnce { &[""] } else { &["0", "1"] };
         // One that lies along the direction from which it counts, and closes no loop, needs no letter.
-        if !closes && degrees[..marks.len()].iter().all(|at| at.abs() < NOTHING.to_degrees()) {
+        if !closes && degrees[self.looked_at()].iter().all(|at| at.abs() < NOTHING.to_degrees()) {
             return [ZERO, ZERO];
         }
-        let at = marks.iter().zip(degrees).map(|(mark, degrees)| {
-            let symbol = self.symbols.given(&tagged(&tex, mark), f64::NAN, "", "", true);
-            self.symbols.settle(symbol, degrees, 0.0);
+        self.at_places(degrees, |this, mark| this.symbols.given(&tagged(&tex, mark), f64::NAN, "", "", true))
+    }
+    /// A quantity with these values at the start and at the asked place, each with a symbol; at an instant with one.
+    fn at_places(&mut self, values: [f64; 2], named: impl Fn(&mut Self, &str) -> SymbolId) -> [Expr; 2] {
+        let mut at = self.looked_at().map(|which| {
+            let symbol = named(self, if self.scene.end == End::AtOnce { "" } else { ["0", "1"][which] });
+            self.symbols.settle(symbol, values[which], 0.0);
             Expr::from(symbol)
         });
-        let at: Vec<Expr> = at.collect();
-        [at[0].clone(), at[at.len() - 1].clone()]
+        let first = at.next().unwrap_or(ZERO);
+        let last = at.next().unwrap_or_else(|| first.clone());
+        [first, last]
     }
     fn tie(&mut self, line: &Sum, right: &Sum) {
         let sides = self.at(line, END).less(&self.at(right, END)).sides();
@@ -2393,37 +2385,27 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Of bodies that are welded into one on a pin: mass centre and moments of inertia, by the theorem of parallel axes.
     fn whole(&mut self, quantity: Quantity) -> Option<Expr> {
         let pin = self.scene.only_pin()?;
-        let place = self.spot(pin);
-        let on_pin = self.of_spot(pin);
-        let lines: Vec<Vector> = (0..self.bodies.len()).map(|b| self.centre(b)).collect();
-        let mut at = |point: &Vector| self.places(point, END).map(|x| x.expr());
-        let (place, centres): ([Expr; 2], Vec<[Expr; 2]>) = (at(&place), lines.iter().map(at).collect());
-        let masses: Vec<Expr> = self.bodies.iter().map(|b| b.mass.expr()).collect();
-        let own = |b: usize| sum(self.bodies[b].inertia.iter().map(Factors::expr));
-        if let ([mass], [centre]) = (masses.as_slice(), centres.as_slice()) {
-            let [along, aside] = on_pin.map(|x| x.expr());
-            let apart = square(&(self.bodies[0].centre.expr() - along)) + square(&aside);
-            return Some(match quantity {
-                Quantity::IO => own(0) + mass.by(&apart),
-                Quantity::IG => own(0),
-                Quantity::XG => centre[0].clone(),
-                _ => centre[1].clone(),
-            });
-        }
+        let pin = self.spot(pin);
+        let points: Vec<Vector> = (0..self.bodies.len()).map(|b| self.centre(b)).chain([pin]).collect();
+        let placed = points.iter().map(|point| self.places(point, END));
+        let mut centres: Vec<Vector> = placed.collect();
+        let pin = centres.pop()?;
+        let masses: Vec<Factors> = self.bodies.iter().map(|b| b.mass.clone()).collect();
         let mean = |i: usize| {
-            let moments = masses.iter().zip(&centres).map(|(mass, centre)| mass.by(&centre[i]));
-            sum(moments).over(sum(masses.iter().cloned()))
+            let moments = masses.iter().zip(&centres).map(|(mass, centre)| mass.by(centre[i].expr()));
+            sum(moments).over(sum(masses.iter().map(Factors::expr)))
         };
-        let about = |point: [Expr; 2]| {
-            let moved = centres.iter().enumerate().map(|(b, centre)| {
-                let apart = [0, 1].map(|i| square(&(&centre[i] - point[i].clone())));
-                own(b) + masses[b].by(sum(apart))
+        let about = |point: &Vector| {
+            let moved = self.bodies.iter().zip(&centres).map(|(body, centre)| {
+                let own = sum(body.inertia.iter().map(Factors::expr));
+                own + body.mass.by(square(self.size(&less(centre, point))))
             });
             sum(moved)
         };
         Some(match quantity {
-            Quantity::IO => about(place),
-            Quantity::IG => about([mean(0), mean(1)]),
+            Quantity::IO => about(&pin),
+            Quantity::IG if centres.len() == 1 => about(&centres[0]),
+            Quantity::IG => about(&[mean(0), mean(1)].map(Sum::one)),
             Quantity::XG => mean(0),
             _ => mean(1),
         })
