@@ -94,42 +94,11 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
         self.say("joined.idle", &[("why", &kinds.join("; "))]);
     }
     fn ways(&mut self) -> Result<(), DerivationStop> {
-        if self.scene.end == End::Equilibrium {
-            self.at_rest()?;
-        } else if self.instant() && self.blow.is_some() {
-            let (rate, is) = (self.rate, self.positive(&self.first));
-            // The blow has been told to change what there was; else it bears what it gives.
-            let added = matches!(is, Expr::Sum(_));
-            match self.first {
-                Expr::Symbol(own) if self.pivot.is_some() => {
-                    let own = self.page.sized(own);
-                    (self.rate, self.bodies[0].omega) = (own, Some(own));
-                }
-                _ => {
-                    self.page.step(rate, is);
-                }
-            }
-            let hangs = |l: &Label| matches!(l.quantity, Quantity::Omega | Quantity::KineticEnergy);
-            if added && self.needed().iter().any(hangs) {
-                self.say("impact.added", &[]);
-                self.tell([rate]);
-            }
-        } else if self.instant() {
-            self.motion("short", "one_motion")?;
-            self.begin_as("why", "which");
-            let (driver, asked) = (self.driver, self.asks(Quantity::Drive));
-            match driver.filter(|_| asked && self.moves) {
-                Some(couple) => self.say("joined.why_driven", &[("couple", &self.names(&[couple]))]),
-                None if self.moves => self.say("joined.why_instant", &[]),
-                None => self.say("joined.why_at_rest", &[]),
-            }
-        } else if self.in_place() {
-            self.motion("short", "one_motion")?;
-            self.turn_steadily()?;
-        } else if self.rubs() {
-            self.motion("short", "one_motion")?;
-            self.integrate_friction()?;
-        } else {
+        if self.instant() && self.blow.is_some() {
+            self.set_off();
+            return Ok(());
+        }
+        if !self.scene.is_still() && !self.in_place() && !self.rubs() {
             let [first, second] = match self.leaves() {
                 Some(_) => ["first_energy", "then_motion"],
                 None => ["short_energy", "long_motion"],
@@ -137,7 +106,26 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             self.energy(first)?;
             self.motion("long", second)?;
             self.why();
+            return Ok(());
         }
+        self.motion("short", if self.still() { "rest_motion" } else { "one_motion" })?;
+        let name = match self.driver {
+            _ if self.still() => return self.at_rest(),
+            _ if self.in_place() => {
+                self.turn_steadily()?;
+                "joined.why_in_place"
+            }
+            _ if self.instant() && !self.moves => "joined.why_at_rest",
+            Some(_) if self.instant() && self.asks(Quantity::Drive) => "joined.why_driven",
+            _ if self.instant() => "joined.why_instant",
+            _ => {
+                self.integrate_friction()?;
+                "joined.why_rubs"
+            }
+        };
+        self.begin_as("why", "which");
+        let pieces: Pieces = &[("couple", &Vec::from_iter(self.driver)), ("forces", &self.pressing())];
+        self.page.say(name, pieces);
         Ok(())
     }
     fn forces(&mut self) -> Result<(), DerivationStop> {
@@ -596,9 +584,27 @@ impl<'d, 'a> Plane<'d, 'a> {
         ratio(1, 2).by(&j).by(square(&self.first))
     }
 
+    /// The rate of the leading angle right after a blow.
+    fn set_off(&mut self) {
+        let (rate, is) = (self.rate, self.positive(&self.first));
+        if let (Expr::Symbol(own), Some(_)) = (&self.first, &self.pivot) {
+            // It bears the symbol of what the blow gives.
+            let own = self.page.sized(*own);
+            (self.rate, self.bodies[0].omega) = (own, Some(own));
+            return;
+        }
+        // The blow has been told to change what there was.
+        let added = matches!(is, Expr::Sum(_));
+        self.page.step(rate, is);
+        let hangs = |l: &Label| matches!(l.quantity, Quantity::Omega | Quantity::KineticEnergy);
+        if added && self.needed().iter().any(hangs) {
+            self.say("impact.added", &[]);
+            self.tell([rate]);
+        }
+    }
+
     /// Equilibrium: no force accelerates anything; and how it swings beside it.
     fn at_rest(&mut self) -> Result<(), DerivationStop> {
-        self.motion("short", "rest_motion")?;
         let rows: Vec<(Expr, Expr)> = (0..self.bodies.len()).flat_map(|b| self.equations(b)).collect();
         let left = rows.iter().map(|(left, _)| self.value(left).abs()).fold(0.0, f64::max);
         if !left.le(&(AGREEMENT_REL * 9.81 * self.mass())) {
@@ -683,23 +689,22 @@ impl<'d, 'a> Plane<'d, 'a> {
         let all_roll = self.scene.joints.iter().all(|j| rolls(&j.kind));
         let many = demands.len() > FEW;
         let arc: IsKind = |k| matches!(k, JointKind::Contact { surface: Surface::Arc { .. }, .. });
-        let name = if self.joint(arc) { "joined.demands_on_arc" } else { "joined.demands_rolling" };
-        let told = [
-            (self.joint(rolls) && !many, name),
-            (many, "joined.demands_many"),
-            (!many && self.points(), "joined.point_demands"),
-            (!many && !self.points() && !all_roll, "joined.demands"),
-        ];
+        let wheel = if self.joint(arc) { "joined.demands_on_arc" } else { "joined.demands_rolling" };
+        let other = match self.points() {
+            _ if many => Some("joined.demands_many"),
+            true => Some("joined.point_demands"),
+            false => (!all_roll).then_some("joined.demands"),
+        };
         if !demands.is_empty() {
-            let told: Vec<&str> = told.into_iter().filter(|(is, _)| *is).map(|(_, name)| name).collect();
+            let wheel = Some(wheel).filter(|_| self.joint(rolls) && !many);
             let n = demands.len().to_string();
-            let mut told: Vec<String> = told.iter().map(|name| self.phrase(name, &[("n", &n)])).collect();
+            let both = [wheel, other].into_iter().flatten().map(|name| self.phrase(name, &[("n", &n)]));
+            let mut both: Vec<String> = both.collect();
             // What leads on to equations stands before them.
-            let last = told.pop();
-            for sentence in told {
-                self.add(format!("{}.", sentence.trim_end_matches(':')));
+            if let [first, _] = &mut both[..] {
+                *first = format!("{}.", first.trim_end_matches(':'));
             }
-            last.into_iter().for_each(|sentence| self.add(sentence));
+            self.add(both.join(" "));
             if !many || self.detail == Detail::Full {
                 self.page.equations(&demands);
             }
@@ -785,8 +790,6 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.say("joined.rubs", &[("rate", &rate), ("mu", &self.tex(&mu))]);
         self.say("joined.rubs_rate", &[("rate", &self.shown(rate))]);
         self.told(rate);
-        self.begin_as("why", "which");
-        self.say("joined.why_rubs", &[("forces", &self.pressing())]);
         Ok(())
     }
 
@@ -861,8 +864,6 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.answer(Label { quantity: Quantity::T, of: Owner::Scene }, time);
             self.tell([time]);
         }
-        self.begin_as("why", "which");
-        self.say("joined.why_in_place", &[("forces", &self.pressing())]);
         Ok(())
     }
 

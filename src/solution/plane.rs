@@ -1741,23 +1741,15 @@ impl<'d, 'a> Plane<'d, 'a> {
                         self.holds.push(Hold::of(j, couple, both.collect()));
                     }
                 }
-                JointKind::Guide { at, line, mu_k, .. } => {
-                    let force = named(self, "N", "");
-                    let line = self.line(line);
-                    let normal = self.frame(&left(&line));
-                    self.add_hold(j, force, &[(at, normal)], &[]);
-                    if let Some(mu) = mu_k {
-                        self.rub(j, at, &line, (mu, ZERO.factors()), force);
-                    }
+                JointKind::Guide { .. } => {
+                    let normal = named(self, "N", "");
+                    self.touch(j, [Some(normal), None]);
                 }
-                JointKind::Contact { at, radius_m, surface, rolls, mu_k, teeth } => {
+                JointKind::Contact { rolls, teeth, .. } => {
                     // Teeth press along the rim alone.
                     let normal = (!teeth).then(|| named(self, "N", "n"));
                     let friction = rolls.then(|| named(self, "F", "t"));
-                    let (right, radius) = self.touch(j, [normal, friction], at, radius_m, surface);
-                    if let (Some(mu), Some(normal)) = (mu_k, normal) {
-                        self.rub(j, at, &right, (mu, radius), normal);
-                    }
+                    self.touch(j, [normal, friction]);
                 }
                 JointKind::Cord { at, place_m, beyond, .. } => {
                     let force = named(self, "T", "");
@@ -1809,14 +1801,9 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// A wheel or a point on a surface.
-    fn touch(
-        &mut self,
-        joint: usize,
-        [press, grip]: [Option<SymbolId>; 2],
-        at: Spot,
-        radius_m: Num,
-        surface: Surface,
-    ) -> (Vector, Factors) {
+    fn touch(&mut self, joint: usize, [press, grip]: [Option<SymbolId>; 2]) {
+        let kind = self.scene.joints[joint].kind;
+        let Some((at, radius_m, surface)) = kind.surface() else { return };
         let own = self.number(radius_m, "r", "m").factors();
         let (normal, bend, radius): (Vector, Option<Factors>, Factors) = match surface {
             Surface::Line(line) => (left(&self.line(line)), None, own),
@@ -1831,30 +1818,47 @@ impl<'d, 'a> Plane<'d, 'a> {
                 let sense = Factors::one().signed(if inside { -1 } else { 1 });
                 let turned = inside && self.value(&arc.expr()) < self.value(&own.expr());
                 let radius = if turned { own.opposite() } else { own };
-                let normal = out.map(|x| x.times(sense.per(&apart)));
-                (normal, Some(sense.per(&apart).opposite()), radius)
+                (times(&out, &sense.per(&apart)), Some(sense.per(&apart).opposite()), radius)
             }
         };
-        // Friction is told up the surface; teeth press along the rim alone.
         let right = [normal[1].clone(), normal[0].opposite()];
-        let teeth = press.is_none();
-        let up = if teeth { 1.0 } else { pose::upward(right.each_ref().map(|x| self.value(&x.expr()))) };
-        let sense = if up < 0.0 { -1 } else { 1 };
-        let (along, rim) = (right.each_ref().map(|x| x.signed(sense)), radius.signed(sense));
+        let upward = pose::upward(right.each_ref().map(|x| self.value(&x.expr())));
+        let right = self.frame(&right);
         if let Some(force) = press {
+            let normal = self.frame(&normal);
             self.add_hold(joint, force, &[(at, normal)], bend.as_slice());
         }
         if let Some(force) = grip {
+            // Friction is told up the surface; teeth press along the rim alone.
+            let sense = if press.is_some() && upward < 0.0 { -1 } else { 1 };
+            let along = right.each_ref().map(|x| x.signed(sense));
             self.add_hold(joint, force, &[(at, along)], &[]);
-            let other = self.borne(joint, at).map(|(.., rim)| rim.signed(-sense));
-            let rims = std::iter::once(rim).chain(other);
-            if let Some(hold) = self.holds.last_mut() {
-                for (pull, rim) in hold.pulls.iter_mut().zip(rims) {
-                    pull.turn = pull.turn.plus(&Sum::one(rim));
-                }
-            }
+            let pulls = self.at_the_rim((joint, at), &force.into(), &right, &radius, sense);
+            self.holds.last_mut().into_iter().for_each(|hold| hold.pulls.clone_from(&pulls));
         }
-        (right, radius)
+        if let (Some(mu), Some(normal)) = (kind.mu_k(), press) {
+            self.rub((joint, at), (&right, upward), (mu, &radius), normal);
+        }
+    }
+
+    /// A force along the surface at the rim of a wheel of this radius, and its opposite on what bears it.
+    fn at_the_rim(
+        &mut self,
+        (joint, at): (usize, Spot),
+        size: &Factors,
+        right: &Vector,
+        radius: &Factors,
+        sense: i8,
+    ) -> Vec<Pull> {
+        let own = (at.body, self.spot(at), radius.signed(sense), sense);
+        let other = self.borne(joint, at);
+        let other = other.map(|(on, point, rim)| (on.body, point, rim.signed(-sense), -sense));
+        let both = [own].into_iter().chain(other).map(|(body, point, rim, sense)| {
+            let along = right.each_ref().map(|x| x.signed(sense));
+            let pull = self.pull(body, &point, size.clone(), along);
+            Pull { turn: pull.turn.plus(&Sum::one(rim)), ..pull }
+        });
+        both.collect()
     }
 
     /// What bears the opposite of a force on this point: a point of that body in the line of what presses, and how far below it a force
@@ -1915,37 +1919,27 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// Friction of a guide, or at the rim of a wheel of this radius, against the sense in which it slides: as the key has it.
-    fn rub(&mut self, joint: usize, at: Spot, line: &Vector, (mu, radius): (Num, Factors), normal: SymbolId) {
+    fn rub(
+        &mut self,
+        (joint, at): (usize, Spot),
+        (right, up): (&Vector, f64),
+        (mu, radius): (Num, &Factors),
+        normal: SymbolId,
+    ) {
         let mu = self.number(mu, r"\mu_k", "1");
         let key = |quantity| self.key(Label { quantity, of: Owner::Joint(joint) });
         let (rubs, presses) = (key(Quantity::Friction).unwrap_or(0.0), key(Quantity::Normal));
-        let up = pose::upward(line.each_ref().map(|x| self.value(&x.expr())));
         // Where guides carry it, as it goes.
         let carried = self.gliding().zip(self.glides.as_ref()).map_or(0.0, |([c, s], speed)| {
-            -self.value(speed) * (c * self.value(&line[0].expr()) + s * self.value(&line[1].expr()))
+            -self.value(speed) * (c * self.value(&right[0].expr()) + s * self.value(&right[1].expr()))
         });
         let way = if carried == 0.0 { rubs * up * presses.map_or(1.0, f64::signum) } else { carried };
         let sense = if way < 0.0 { -1 } else { 1 };
-        let along = line.each_ref().map(|x| x.signed(sense));
-        let point = self.spot(at);
-        let size = mu.factors().times(normal);
-        if let Some((on, point, rim)) = self.borne(joint, at) {
-            let back = along.each_ref().map(|x| x.signed(-1));
-            self.add_pull(on.body, &point, size.clone(), back);
-            self.at_the_rim(&rim, -sense);
-        }
-        self.add_pull(at.body, &point, size, along);
-        self.at_the_rim(&radius, sense);
+        let pulls = self.at_the_rim((joint, at), &mu.by(normal).into(), right, radius, sense);
+        self.pulls.extend(pulls);
         let name = tagged("F", &names::joint(self.scene, joint));
         let force = self.named(&[&name], "N");
         self.frictions.push((joint, force, in_sense(mu * normal, f64::from(sense) * up)));
-    }
-
-    /// The last force acts so far below its point, where the wheel about that touches its surface.
-    fn at_the_rim(&mut self, radius: &Factors, sense: i8) {
-        if let Some(pull) = self.pulls.last_mut() {
-            pull.turn = pull.turn.plus(&Sum::one(radius.signed(sense)));
-        }
     }
 
     /// The angular velocity of a body per unit rate of the leading angle, as its own angle counts.
