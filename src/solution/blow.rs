@@ -7,7 +7,7 @@ use crate::scene::{End, JointKind, Label, Owner, Quantity, Spot};
 use crate::solution::draft::Detail;
 use crate::solution::expr::{Expr, ONE, SymbolId, ZERO, in_sense, length, positive_first, ratio, square};
 use crate::solution::factors::{Cancel, Factors, Sum};
-use crate::solution::order::{Row, needed};
+use crate::solution::order::{Eliminated, Row, needed};
 use crate::solution::page::{Page, Pieces, Step};
 use crate::solution::plane::{
     END, Hold, NOTHING, Plane, PlaneBody, Pull, ROUNDING, START, Vector, cross, left, less, product,
@@ -402,16 +402,18 @@ impl Plane<'_, '_> {
             balances.push([before, Self::spelled(&after.expr(), &held)]);
         }
         let gained = |[before, after]: &[Sum; 2]| after.less(before);
-        let mut rows: Vec<Sum> = balances.iter().map(gained).collect();
-        let joined = held.iter().map(|(s, is)| Self::spelled(&(is - Expr::from(*s)), &[]));
-        let idle = self.idle(joined.chain(rows.iter().cloned()).collect(), &velocities);
         let parting =
             parting.map(|(l, r)| [Sum::of(r.terms().iter().map(Factors::of)), Self::spelled(&l, &held)]);
-        rows.extend(parting.iter().map(gained));
-        let moving = |sum: &Sum| idle.iter().fold(sum.clone(), |all, s| all.put(*s, &ZERO));
-        let rows = rows.iter().map(moving).collect();
-        let open = |v: &SymbolId| !idle.contains(v) && held.iter().all(|(s, _)| s != v);
-        self.eliminate(rows, velocities.iter().copied().filter(open).collect())?;
+        let rows = balances.iter().chain(&parting).map(gained).collect();
+        let open = velocities.iter().copied().filter(|v| held.iter().all(|(s, _)| s != v)).collect();
+        let Eliminated { found, mut idle, .. } = self.eliminate(rows, open, |s| self.turns(s))?;
+        let moving = |is: &Expr, idle: &[SymbolId]| idle.iter().fold(is.clone(), |all, s| all.put(*s, &ZERO));
+        idle.extend(
+            held.iter().filter(|(_, is)| moving(is, &idle) == ZERO).map(|(s, _)| *s).collect::<Vec<_>>(),
+        );
+        for (symbol, is) in found {
+            self.page.step(symbol, is);
+        }
         if let Some([along, across]) = self.oblique.clone() {
             let [t, n] = [along, across].map(|unit| {
                 let [x, y] = unit.map(|x| self.value(&x.expr()));
@@ -440,34 +442,10 @@ impl Plane<'_, '_> {
             self.page.equations_or_one(&[(each(&l.signed(sense)), each(&r.signed(sense)))]);
         }
         for (symbol, is) in &held {
-            self.page.step(*symbol, moving(&Self::spelled(is, &[])).expr());
+            self.page.step(*symbol, moving(is, &idle));
         }
         self.impulses_from(&held);
         Some((held, idle))
-    }
-    /// Velocities that one of these equations, sums that are 0, says alone to be 0, beside others of which that is known.
-    fn idle(&mut self, equations: Vec<Sum>, velocities: &[SymbolId]) -> Vec<SymbolId> {
-        let still: Vec<SymbolId> =
-            velocities.iter().copied().filter(|v| self.symbols.value(*v) == 0.0).collect();
-        // What counts is a factor of a velocity, not the velocity.
-        still.iter().for_each(|v| self.symbols.place(*v, 1.0));
-        let own = |t: &Expr| t.uses().into_iter().find(|s| velocities.contains(s));
-        let counts = |sum: &Sum| -> Vec<Option<SymbolId>> {
-            let terms = sum.terms().iter().map(Factors::expr);
-            terms.filter(|t| self.value(t).abs() > NOTHING).map(|t| own(&t)).collect()
-        };
-        let rows: Vec<Vec<Option<SymbolId>>> = equations.iter().map(counts).collect();
-        still.iter().for_each(|v| self.symbols.place(*v, 0.0));
-        let mut idle = Vec::new();
-        let alone = |row: &Vec<Option<SymbolId>>, idle: &[SymbolId]| {
-            let mut open = row.iter().copied().filter(|s| s.is_none_or(|s| !idle.contains(&s)));
-            let first = open.next()??;
-            open.all(|s| s == Some(first)).then_some(first).filter(|s| still.contains(s))
-        };
-        while let Some(symbol) = rows.iter().find_map(|row| alone(row, &idle)) {
-            idle.push(symbol);
-        }
-        idle
     }
     /// What it is of, and why no unknown impulse counts.
     fn say_momentum(&mut self, Momentum { bodies, of }: &Momentum) {
@@ -501,58 +479,9 @@ impl Plane<'_, '_> {
         }
         Sum::of(terms)
     }
-    /// An equation, a sum that is 0, by what is the factor of a symbol in it, and the rest.
-    fn parted(&self, row: &Sum, symbol: SymbolId) -> Option<[Sum; 2]> {
-        let holds = |t: &Factors| t.expr().uses().contains(&symbol);
-        let (own, rest): (Vec<Factors>, Vec<Factors>) = row.terms().iter().cloned().partition(holds);
-        let share = Sum::of(own.iter().map(|t| t.per(symbol)));
-        let clear = !share.terms().iter().any(holds) && self.value(&share.expr()).abs() > NOTHING;
-        clear.then(|| [share, Sum::of(rest)])
-    }
-    /// A quotient, with a positive denominator.
-    fn quotient(&self, over: &Sum, under: &Sum) -> Expr {
-        let sense = if self.value(&under.expr()) < 0.0 { -1 } else { 1 };
-        over.signed(sense).expr().over(under.signed(sense).expr())
-    }
     /// Is it the turn of a body?
     fn turns(&self, velocity: SymbolId) -> bool {
         self.bodies.iter().any(|b| b.alpha == Some(velocity))
-    }
-    /// Takes the open velocities out of the equations, sums that are 0, one after the other, without a fraction in a fraction, and notes
-    /// how each follows.
-    fn eliminate(&mut self, mut rows: Vec<Sum>, mut open: Vec<SymbolId>) -> Option<()> {
-        let (mut first, mut last) = (Vec::new(), Vec::new());
-        while !open.is_empty() {
-            let unknown = |row: &Sum| -> Vec<SymbolId> {
-                row.expr().uses().into_iter().filter(|s| open.contains(s)).collect()
-            };
-            let least = (0..rows.len()).filter(|i| !unknown(&rows[*i]).is_empty());
-            let at = least.min_by_key(|i| (unknown(&rows[*i]).len(), Reverse(*i)))?;
-            let row = rows.remove(at);
-            let mut candidates = unknown(&row);
-            let alone = candidates.len() == 1;
-            candidates.sort_by_key(|s| self.turns(*s));
-            let (symbol, [share, rest]) =
-                candidates.into_iter().find_map(|s| Some((s, self.parted(&row, s)?)))?;
-            open.retain(|s| *s != symbol);
-            let found = (symbol, self.quotient(&rest.opposite(), &share));
-            if alone {
-                first.push(found);
-                continue;
-            }
-            last.insert(0, found);
-            for other in rows.iter_mut().filter(|other| self.parted(other, symbol).is_some()) {
-                let put = |t: &Factors| match t.expr().uses().contains(&symbol) {
-                    true => t.per(symbol).each(&rest).opposite(),
-                    false => t.each(&share),
-                };
-                *other = other.terms().iter().map(put).sum::<Sum>().primitive(&open);
-            }
-        }
-        for (symbol, is) in first.into_iter().chain(last) {
-            self.page.step(symbol, is);
-        }
-        Some(())
     }
     /// The impulses of joints that are asked, from the momenta of single bodies.
     fn impulses_from(&mut self, held: &[(SymbolId, Expr)]) {
