@@ -33,6 +33,8 @@ pub struct Blow {
     pub bodies: Vec<PlaneBody>,
     /// The impulses of the joints.
     impulses: Vec<(usize, SymbolId)>,
+    /// Does a joint feel it?
+    jolts: bool,
     /// Are these the velocities after it, and not their changes?
     pub from_rest: bool,
     /// Was something solved for together?
@@ -136,7 +138,12 @@ impl Plane<'_, '_> {
         if moves && at_once {
             self.sense = self.value(&self.first).signum();
         }
+        let jolts = |h: &Hold| {
+            let force = h.pulls.iter().any(|p| !p.along.iter().all(Sum::is_zero));
+            force && self.symbols.value(h.unknown).abs() > NOTHING
+        };
         self.blow = Some(Blow {
+            jolts: self.holds.iter().any(jolts),
             bodies: std::mem::replace(&mut self.bodies, kept),
             impulses: self.holds.iter().map(|h| (h.joint, h.unknown)).collect(),
             from_rest,
@@ -538,8 +545,7 @@ impl Plane<'_, '_> {
     }
     /// Does a joint feel it?
     pub fn jolts(&self) -> bool {
-        let impulses = self.blow.iter().flat_map(|b| &b.impulses);
-        impulses.into_iter().any(|(_, impulse)| self.symbols.value(*impulse).abs() > NOTHING)
+        self.blow.as_ref().is_some_and(|b| b.jolts)
     }
     /// What was solved for together, then how the velocities and impulses follow of these steps on; those that the joints give, and
     /// those that are 0 whatever the data, only where they are asked.

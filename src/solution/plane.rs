@@ -440,7 +440,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             false => self.named(&[tagged(plane, &plain)], "N"),
         });
         self.j = Some(about);
-        let up = self.value(&self.from_where(0)[1].expr()) > 0.0;
+        let up = self.value(&self.unturned_axis(0)[1].expr()) > 0.0;
         let name = format!("${name}$");
         self.pivot = Some(Pivot { name, h, own, about, force, radial, up, place });
     }
@@ -602,7 +602,7 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// A new angle, by which the axis of a body turns from where it is at 0.
     fn add_turn(&mut self, body: usize, at: [Expr; 2], rate: [Expr; 2]) -> usize {
-        let from = self.from_where(body);
+        let from = self.unturned_axis(body);
         self.push_turn(at, rate, from, self.sense_of(body), self.bodies[body].tag.clone())
     }
     fn push_turn(&mut self, at: [Expr; 2], rate: [Expr; 2], from: Vector, sense: i8, tag: String) -> usize {
@@ -613,7 +613,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.turns.len() - 1
     }
     /// From where the angle of a body counts.
-    fn from_where(&self, body: usize) -> Vector {
+    fn unturned_axis(&self, body: usize) -> Vector {
         let from = self.scene.planar(body).map_or([1.0, 0.0], |p| p.from.components());
         from.map(|x| Sum::one(sign(x)))
     }
@@ -621,7 +621,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.turns[turn].axis.clone()
     }
     fn axis_of(&self, body: usize) -> Vector {
-        self.bodies[body].turn.map_or_else(|| self.from_where(body), |turn| self.axis(turn))
+        self.bodies[body].turn.map_or_else(|| self.unturned_axis(body), |turn| self.axis(turn))
     }
     fn point(&self, body: usize, at: &[Factors; 2]) -> Vector {
         plus(&self.bodies[body].origin, &from_axis(&self.axis_of(body), at))

@@ -826,7 +826,7 @@ fn what_an_impact_brings_to_rest_is_told() {
                     r"\Delta E = E_0 - E_s = 4.000\ ",
                 ],
                 // By the impulses that belong to both angles: (13/3, 2; 2, 5/3) times the angular speeds is (3, 3).
-                "double" => &[r"\omega_{bs} = \frac{6\,m\,v_0\,(", r")} = 2.172\ \mathrm{rad}"],
+                "double" => &[r"\omega_{bs} = \frac{6\,m\,v_0\,(", r")} = 2.172"],
                 "edge" => {
                     &[r"$\left|\omega_{s}\right| = 4.50", r"E_s = \tfrac{1}{2}\,I_A\,\omega_{s}^{2} = 3.375"]
                 }
