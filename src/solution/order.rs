@@ -1,5 +1,7 @@
 //! In which order equations give what is unknown in them: each from one in which nothing else is, or two from two together. So a
 //! lecture goes through the forces of a linkage, with moments about a joint where its force is not wanted.
+//!
+//! Where no such order is told (velocities of an impact, velocity ratios of ties) the unknowns are eliminated one after the other.
 use crate::scene::{End, Quantity};
 use crate::solution::draft::Draft;
 use crate::solution::expr::{Expr, SymbolId, ZERO, positive_first, sum};
