@@ -1,21 +1,20 @@
 //! Blows and impacts: the velocities that bodies have right after them. Forces are unknown while they last, and energy may be lost;
 //! so each equation is the momentum of some of the bodies in a direction, or their angular momentum about a point, for which no
 //! unknown impulse counts. What the joints demand of the velocities, and how points part again, are the other equations.
+use crate::num::eliminate::Equations;
 use crate::num::{shown, trig};
 use crate::scene::{End, JointKind, Label, Owner, Quantity, Spot};
 use crate::solution::draft::Detail;
-use crate::solution::expr::{
-    Expr, ONE, SymbolId, ZERO, in_sense, length, positive_first, ratio, square, sum,
-};
+use crate::solution::expr::{Expr, ONE, SymbolId, ZERO, in_sense, length, positive_first, ratio, square};
 use crate::solution::factors::{Cancel, Factors, Sum};
-use crate::solution::order::{Row, needed};
-use crate::solution::page::{Pieces, Step};
+use crate::solution::order::{Eliminated, Row, needed};
+use crate::solution::page::{Page, Pieces, Step};
 use crate::solution::plane::{
-    END, Hold, NOTHING, Plane, PlaneBody, Point, Pull, ROUNDING, START, Vector, cross, left, less, product,
-    vector,
+    END, Hold, NOTHING, Plane, PlaneBody, Pull, ROUNDING, START, Vector, cross, left, less, product,
 };
 use crate::solution::stop::DerivationStop;
 use crate::solution::terms::tagged;
+use std::cmp::Reverse;
 
 /// The conditions of the joints are written out where there are no more of them.
 const FEW: usize = 4;
@@ -30,26 +29,22 @@ const FIGURES_OF_SHARE: usize = 9;
 /// What blows do at an instant.
 #[derive(Debug, Clone)]
 pub struct Blow {
-    /// What is told.
-    told: Vec<Paragraph>,
     /// The bodies, with the velocities after it, or their changes, in the place of accelerations.
     pub bodies: Vec<PlaneBody>,
     /// The impulses of the joints.
     impulses: Vec<(usize, SymbolId)>,
+    /// Does a joint feel it?
+    jolts: bool,
     /// Are these the velocities after it, and not their changes?
     pub from_rest: bool,
-    /// What was solved for together.
-    together: Vec<SymbolId>,
-    /// How one follows from the other.
-    steps: Vec<Step>,
+    /// Was something solved for together?
+    entangled: bool,
     /// The kinetic energy before an impact.
     before: Option<Expr>,
     /// That after it.
     after: Expr,
     /// Velocities that others give by the joints.
     held: Vec<SymbolId>,
-    /// Velocities that are 0 whatever the data.
-    idle: Vec<SymbolId>,
     /// The directions in which the velocities are told, where these are not to the right and up.
     frame: Option<[Vector; 2]>,
 }
@@ -73,8 +68,6 @@ enum Of {
 type Sides = (Expr, Expr);
 /// Velocities, each with what it is by others.
 type Held = Vec<(SymbolId, Expr)>;
-/// A sentence, and the equations after it.
-type Paragraph = (String, Vec<Sides>);
 /// How a body moves before an impact: its mass centre, and its turn.
 type Before = (Vector, Factors);
 
@@ -83,9 +76,9 @@ impl Plane<'_, '_> {
     /// What bodies bring into an impact is added to what blows give them.
     pub fn strike(&mut self) -> Result<(), DerivationStop> {
         let (scene, lead, kept, moves) = (self.scene, self.lead, self.bodies.clone(), self.moves);
-        let from_rest = self.first == ZERO;
+        let (from_rest, at_once) = (self.first == ZERO, scene.end == End::AtOnce);
         let mark = if from_rest { "s" } else { r"\Delta" };
-        self.here = if scene.end == End::AtOnce { END } else { START };
+        self.here = if at_once { END } else { START };
         self.turn_frame();
         let ways = if self.oblique.is_some() { ["t", "n"] } else { ["x", "y"] };
         for (body, it) in kept.iter().enumerate() {
@@ -99,10 +92,10 @@ impl Plane<'_, '_> {
         for push in scene.pushes.iter().filter(|p| p.blow) {
             let size = self.number(push.force_n, "J", "N s").factors();
             let (point, unit) = (self.spot(push.at), self.direction(push.direction_deg));
-            let along = self.frame(&vector(&unit));
+            let along = self.frame(&unit);
             self.add_pull(push.at.body, &point, size, along);
         }
-        let (before, energy) = self.bring();
+        let (before, energy) = self.momenta_before();
         self.moves = false;
         self.hold();
         self.part(&before);
@@ -110,44 +103,55 @@ impl Plane<'_, '_> {
         let (demands, unknowns) = (self.demands(), [self.accelerations(), self.reactions()].concat());
         let all = [rows.clone(), demands.clone()].concat();
         self.page.settle_all(&all, &unknowns, |_| ROUNDING)?;
+        let impact = scene.arrivals().next().is_some();
+        self.begin_as("blow", if impact { "impact" } else { "blow" });
+        if at_once {
+            self.tell_places();
+        }
+        if let Some(pivot) = self.pivot.clone() {
+            self.about_the_pin(&pivot);
+        }
         let steps = self.steps.len();
         let free = if self.pivot.is_none() { self.by_free_momenta(demands.clone()) } else { None };
-        let told = free.unwrap_or_else(|| {
+        let mut together = Vec::new();
+        let (held, idle) = free.unwrap_or_else(|| {
             self.unravel();
-            self.each_momentum(rows, demands)
+            let follows = |s: &SymbolId| self.steps[steps..].iter().any(|step| step.symbol == *s);
+            let known = |s: &SymbolId| !self.symbols.value(*s).is_nan();
+            together = unknowns.into_iter().filter(|s| !follows(s) && known(s)).collect();
+            self.tell_each_momentum(&rows, &demands);
+            (Held::new(), Vec::new())
         });
-        let change = self.bodies[lead].alpha.map(Expr::from);
-        self.first = match (change, self.arc_of(lead)) {
-            (Some(change), Some(arc)) => {
-                let change = change.over(self.turning_of(arc));
-                &self.first + change
-            }
-            (change, _) => &self.first + change.unwrap_or(ZERO),
+        let after = self.energy_of(&held);
+        let held: Vec<SymbolId> = held.into_iter().map(|(s, _)| s).collect();
+        let says = match from_rest {
+            true if impact => "impact.so",
+            true => "joined.together_blow",
+            false => "impact.changes",
         };
-        self.sense =
-            if moves && scene.end == End::AtOnce { self.value(&self.first).signum() } else { self.sense };
-        let impulses = self.holds.iter().map(|h| (h.joint, h.unknown)).collect();
-        let steps = self.steps.split_off(steps);
-        let follows = |s: &SymbolId| steps.iter().any(|step| step.symbol == *s);
-        let known = |s: &SymbolId| !self.symbols.value(*s).is_nan();
-        let together = unknowns.into_iter().filter(|s| told.solved && !follows(s) && known(s)).collect();
-        let bodies = std::mem::replace(&mut self.bodies, kept);
-        let after = self.energy_of(&bodies, &told.held);
-        let held = told.held.iter().map(|(s, _)| *s).collect();
-        let (told, idle, before) = (told.paragraphs, told.idle, scene.arrivals().next().map(|_| energy));
-        let frame = self.oblique.take();
+        self.say(says, &[]);
+        self.tell_velocities(steps, [&held, &idle, &together]);
+        if let Some(change) = self.bodies[lead].alpha {
+            let per = self.arc_of(lead).map_or_else(Factors::one, |arc| self.turning_of(arc));
+            self.first = &self.first + change.over(per);
+        }
+        if moves && at_once {
+            self.sense = self.value(&self.first).signum();
+        }
+        let jolts = |h: &Hold| {
+            let force = h.pulls.iter().any(|p| !p.along.iter().all(Sum::is_zero));
+            force && self.symbols.value(h.unknown).abs() > NOTHING
+        };
         self.blow = Some(Blow {
-            told,
-            bodies,
-            impulses,
+            jolts: self.holds.iter().any(jolts),
+            bodies: std::mem::replace(&mut self.bodies, kept),
+            impulses: self.holds.iter().map(|h| (h.joint, h.unknown)).collect(),
             from_rest,
-            together,
-            steps,
-            before,
+            entangled: !together.is_empty(),
+            before: impact.then_some(energy),
             after,
             held,
-            idle,
-            frame,
+            frame: self.oblique.take(),
         });
         (self.moves, self.here) = (moves, END);
         self.holds.clear();
@@ -165,7 +169,7 @@ impl Plane<'_, '_> {
     }
 
     /// What moving bodies bring into an impact: as impulses that would set them going so. How each moves, and their kinetic energy.
-    fn bring(&mut self) -> (Vec<Before>, Expr) {
+    fn momenta_before(&mut self) -> (Vec<Before>, Expr) {
         let mut before = vec![(Vector::default(), Factors::zero()); self.bodies.len()];
         let mut energy = Sum::default();
         for (b, arrives) in self.scene.arrivals() {
@@ -177,7 +181,7 @@ impl Plane<'_, '_> {
                     let out = less(&centre, &self.spot(pin));
                     (spin.signed(sense), left(&self.places(&out, self.here)))
                 }
-                None => (speed, vector(&self.direction(arrives.direction_deg))),
+                None => (speed, self.direction(arrives.direction_deg)),
             };
             let along = self.frame(&along);
             let v = along.each_ref().map(|x| x.times(&size));
@@ -210,17 +214,17 @@ impl Plane<'_, '_> {
         self.holds[at].given = met.opposite().times(&e).expr();
     }
 
-    /// Kinetic energy of bodies with these velocities in the place of accelerations, some of them told by others.
-    fn energy_of(&self, bodies: &[PlaneBody], held: &[(SymbolId, Expr)]) -> Expr {
+    /// Kinetic energy of the bodies with velocities in the place of accelerations, some of them told by others.
+    fn energy_of(&self, held: &[(SymbolId, Expr)]) -> Expr {
         let moving = |s: &SymbolId| self.symbols.value(*s) != 0.0;
         let rate = |s: SymbolId| {
             let told = held.iter().find(|(of, is)| *of == s && !matches!(is, Expr::Sum(_)));
             told.map_or_else(|| s.into(), |(_, is)| is.clone()).factors().squared()
         };
-        if let (Some(pivot), Some(omega)) = (&self.pivot, bodies[0].alpha) {
+        if let (Some(pivot), Some(omega)) = (&self.pivot, self.bodies[0].alpha) {
             return ratio(1, 2).by(pivot.about).by(square(omega));
         }
-        let each = bodies.iter().flat_map(|b| {
+        let each = self.bodies.iter().flat_map(|b| {
             let straight = b.a.into_iter().filter(moving).map(|v| b.mass.times(rate(v)));
             let spin = b.alpha.filter(moving).map(|w| b.inertia.iter().map(move |i| i.times(rate(w))));
             straight.chain(spin.into_iter().flatten()).collect::<Vec<_>>()
@@ -239,11 +243,10 @@ impl Plane<'_, '_> {
     }
     /// From a point to the mass centre of a body.
     fn away(&mut self, body: usize, point: &Vector) -> Vector {
-        let centre = self.seen(&self.centre(body));
-        [0, 1].map(|i| centre[i].plus(&point[i].opposite()))
+        less(&self.seen(&self.centre(body)), point)
     }
     /// A place, in the directions in which forces are told.
-    fn seen(&mut self, point: &Point) -> Vector {
+    fn seen(&mut self, point: &Vector) -> Vector {
         let place = self.places(point, self.here);
         self.frame(&place)
     }
@@ -310,32 +313,13 @@ impl Plane<'_, '_> {
         }
         all
     }
-    /// The coefficients of the velocities of all bodies in a momentum; `None` where an unknown impulse counts in it.
-    fn free_of_impulses(&mut self, momentum: &Momentum) -> Option<Vec<f64>> {
-        let Momentum { bodies, of } = momentum;
-        for hold in self.holds.clone() {
+    /// Does no unknown impulse count in a momentum?
+    fn is_free(&mut self, Momentum { bodies, of }: &Momentum) -> bool {
+        self.holds.clone().iter().all(|hold| {
             let own = hold.pulls.iter().filter(|p| bodies.contains(&p.body));
             let whole: Sum = own.map(|p| self.share(p, of)).sum();
-            if self.value(&whole.expr()).abs() > NOTHING {
-                return None;
-            }
-        }
-        let mut row = vec![0.0; 3 * self.bodies.len()];
-        for &b in bodies {
-            let (mass, inertia) = (self.value(&self.bodies[b].mass.expr()), self.own_inertia(b));
-            match of {
-                Of::Along(i) => row[3 * b + i] = mass,
-                Of::About(point, _) => {
-                    let [x, y] = self.away(b, point).map(|x| self.value(&x.expr()));
-                    let turned = self.value(&inertia) * f64::from(self.sense_of(b));
-                    row[3 * b..][..3].copy_from_slice(&[-mass * y, mass * x, turned]);
-                }
-            }
-        }
-        Some(row)
-    }
-    fn own_inertia(&self, body: usize) -> Expr {
-        sum(self.bodies[body].inertia.iter().map(Factors::expr))
+            self.value(&whole.expr()).abs() <= NOTHING
+        })
     }
     /// A momentum before and after, both sides.
     fn balance_of(&mut self, Momentum { bodies, of }: &Momentum) -> (Sum, Sum) {
@@ -361,30 +345,36 @@ impl Plane<'_, '_> {
 
     /// Momenta for which no unknown impulse counts, as many as give all velocities beside what the joints demand; `None` where there
     /// are not so many.
-    fn enough(&mut self) -> Option<Vec<Momentum>> {
-        let columns: Vec<usize> =
-            (0..3 * self.bodies.len()).filter(|i| i % 3 < 2 || self.bodies[i / 3].alpha.is_some()).collect();
-        let of = |row: &[f64]| columns.iter().map(|c| row[*c]).collect();
-        let mut rank = Rank::default();
-        for hold in &self.holds {
-            let mut row = vec![0.0; 3 * self.bodies.len()];
-            for p in &hold.pulls {
-                let turn = self.value(&p.turn.expr()) * f64::from(self.sense_of(p.body));
-                let own = [self.value(&p.along[0].expr()), self.value(&p.along[1].expr()), turn];
-                (0..3).for_each(|i| row[3 * p.body + i] += own[i]);
+    fn enough(&mut self, demands: &[Sides], velocities: &[SymbolId]) -> Option<Vec<Momentum>> {
+        let mut all: Equations<f64> = Equations::new(velocities.len());
+        // Takes a row if it says more than those that there are; and are there as many as velocities?
+        let mut takes = |page: &mut Page, row: &Expr| {
+            let (mut more, known) = (all.clone(), all.clone().reduce(&[]).rank());
+            let cells = more.row();
+            page.linear(row, velocities).0.into_iter().for_each(|(column, x)| cells[column] = x);
+            let rank = more.clone().reduce(&[]).rank();
+            if rank > known {
+                all = more;
             }
-            rank.takes(of(&row));
+            [rank > known, rank == velocities.len()]
+        };
+        let mut enough = false;
+        for (l, r) in demands {
+            [_, enough] = takes(&mut self.page, &(l - r));
         }
         let mut chosen = Vec::new();
         for momentum in self.momenta() {
-            if rank.0.len() == columns.len() {
+            if enough {
                 break;
             }
-            if self.free_of_impulses(&momentum).is_some_and(|row| rank.takes(of(&row))) {
-                chosen.push(momentum);
+            if self.is_free(&momentum) {
+                let (_, after) = self.balance_of(&momentum);
+                let taken;
+                [taken, enough] = takes(&mut self.page, &after.expr());
+                chosen.extend(taken.then_some(momentum));
             }
         }
-        (rank.0.len() == columns.len()).then_some(chosen)
+        enough.then_some(chosen)
     }
     /// What the joints that hold say of the velocities: mass centres by turns, and what comes later by what comes before.
     fn held_velocities(&self, demands: &[Sides], velocities: &[SymbolId]) -> Held {
@@ -393,10 +383,10 @@ impl Plane<'_, '_> {
             let row = Self::spelled(&(l - r), &held);
             let mut unknown: Vec<SymbolId> = row.expr().uses();
             unknown.retain(|s| velocities.contains(s));
-            let turns = |s: &SymbolId| self.bodies.iter().any(|b| b.alpha == Some(*s));
-            unknown.sort_by_key(|s| (turns(s), std::cmp::Reverse(velocities.iter().position(|v| v == s))));
-            let found = unknown.into_iter().find_map(|s| Some((s, self.solve_for(&row, s)?)));
-            if let Some(found) = found {
+            unknown.sort_by_key(|s| (self.turns(*s), Reverse(velocities.iter().position(|v| v == s))));
+            let found = unknown.into_iter().find_map(|s| Some((s, self.parted(&row, s)?)));
+            if let Some((symbol, [share, rest])) = found {
+                let found = (symbol, self.quotient(&rest.opposite(), &share));
                 for (_, is) in &mut held {
                     *is = Self::spelled(is, std::slice::from_ref(&found)).expr();
                 }
@@ -406,85 +396,66 @@ impl Plane<'_, '_> {
         held
     }
     /// The velocities from momenta for which no unknown impulse counts, and what the joints demand; `None` where these are not enough.
-    fn by_free_momenta(&mut self, mut demands: Vec<Sides>) -> Option<Told> {
-        let (velocities, chosen) = (self.accelerations(), self.enough()?);
+    /// Those that the joints give, and those that are 0 whatever the data.
+    fn by_free_momenta(&mut self, mut demands: Vec<Sides>) -> Option<(Held, Vec<SymbolId>)> {
+        let velocities = self.accelerations();
+        let chosen = self.enough(&demands, &velocities)?;
         let parts = self.scene.restitution.and_then(|(j, _)| self.holds.iter().position(|h| h.joint == j));
         let parting = parts.map(|at| demands.remove(at));
         let held = self.held_velocities(&demands, &velocities);
-        let each = |s: &Sum| positive_first(s.terms().iter().map(Factors::expr));
-        let mut paragraphs = Vec::new();
+        let mut balances = Vec::new();
+        for momentum in &chosen {
+            let (before, after) = self.balance_of(momentum);
+            balances.push([before, Self::spelled(&after.expr(), &held)]);
+        }
+        let gained = |[before, after]: &[Sum; 2]| after.less(before);
+        let parting =
+            parting.map(|(l, r)| [Sum::of(r.terms().iter().map(Factors::of)), Self::spelled(&l, &held)]);
+        let rows = balances.iter().chain(&parting).map(gained).collect();
+        let open = velocities.iter().copied().filter(|v| held.iter().all(|(s, _)| s != v)).collect();
+        let Eliminated { found, mut idle, .. } = self.eliminate(rows, open, |s| self.turns(s))?;
+        let moving = |is: &Expr, idle: &[SymbolId]| idle.iter().fold(is.clone(), |all, s| all.put(*s, &ZERO));
+        idle.extend(
+            held.iter().filter(|(_, is)| moving(is, &idle) == ZERO).map(|(s, _)| *s).collect::<Vec<_>>(),
+        );
+        for (symbol, is) in found {
+            self.page.step(symbol, is);
+        }
         if let Some([along, across]) = self.oblique.clone() {
             let [t, n] = [along, across].map(|unit| {
                 let [x, y] = unit.map(|x| self.value(&x.expr()));
                 format!(r"${}^\circ$", self.digits(trig::atan2(y, x).to_degrees().rem_euclid(360.0), 4))
             });
-            paragraphs.push((self.phrase("impact.directions", &[("t", &t), ("n", &n)]), Vec::new()));
+            self.say("impact.directions", &[("t", &t), ("n", &n)]);
         }
-        let mut balances = Vec::new();
-        for momentum in &chosen {
-            let (before, after) = self.balance_of(momentum);
-            balances.push((before, Self::spelled(&after.expr(), &held)));
-        }
-        let momenta = balances.iter().map(|(before, after)| after.plus(&before.opposite()));
-        let joined = held.iter().map(|(s, is)| Self::spelled(&(is - Expr::from(*s)), &[]));
-        let equations = joined.chain(momenta).collect();
-        let idle = self.idle(equations, &velocities);
-        let moves = |(s, _): &&(SymbolId, Expr)| !idle.contains(s);
-        let kept: Vec<Sides> = held.iter().filter(moves).map(|(s, is)| ((*s).into(), is.clone())).collect();
+        let kept = held.iter().filter(|(s, _)| !idle.contains(s));
+        let kept: Vec<Sides> = kept.map(|(s, is)| ((*s).into(), is.clone())).collect();
         if !kept.is_empty() {
-            let name = if self.first == ZERO { "impact.held" } else { "impact.held_changes" };
-            paragraphs.push((self.phrase(name, &[]), kept));
+            let says = if self.first == ZERO { "impact.held" } else { "impact.held_changes" };
+            self.say(says, &[]);
+            self.page.equations_or_one(&kept);
         }
-        let mut rows: Vec<Sum> = Vec::new();
-        for (momentum, (before, after)) in chosen.iter().zip(balances) {
+        let each = |s: &Sum| positive_first(s.terms().iter().map(Factors::expr));
+        for (momentum, [before, after]) in chosen.iter().zip(balances) {
             // What neither comes nor goes is not told.
             if after.expr().uses().iter().any(|s| velocities.contains(s) && !idle.contains(s)) {
-                paragraphs.push((self.says(momentum), vec![(each(&before), each(&after))]));
+                self.say_momentum(momentum);
+                self.page.equations_or_one(&[(each(&before), each(&after))]);
             }
-            rows.push(after.plus(&before.opposite()));
         }
-        if let (Some((l, r)), Some((_, e))) = (parting, self.scene.restitution) {
-            let (l, r) = (Self::spelled(&l, &held), Sum::of(r.terms().iter().map(Factors::of)));
+        if let (Some([r, l]), Some((_, e))) = (parting, self.scene.restitution) {
             let (e, sense) = (self.number(e, "e", "1"), if self.value(&r.expr()) < 0.0 { -1 } else { 1 });
-            let name = if e == ZERO { "impact.plastic" } else { "impact.parting" };
-            let sides = (each(&l.signed(sense)), each(&r.signed(sense)));
-            paragraphs.push((self.phrase(name, &[("e", &e)]), vec![sides]));
-            rows.push(l.plus(&r.opposite()));
+            self.say(if e == ZERO { "impact.plastic" } else { "impact.parting" }, &[("e", &e)]);
+            self.page.equations_or_one(&[(each(&l.signed(sense)), each(&r.signed(sense)))]);
         }
-        let is_open = |v: &SymbolId| held.iter().all(|(s, _)| s != v);
-        self.eliminate(rows, velocities.iter().copied().filter(is_open).collect())?;
         for (symbol, is) in &held {
-            self.page.step(*symbol, is.clone());
+            self.page.step(*symbol, moving(is, &idle));
         }
         self.impulses_from(&held);
-        Some(Told { paragraphs, held, idle, solved: false })
-    }
-    /// Velocities that one of these equations, sums that are 0, says alone to be 0, beside others of which that is known.
-    fn idle(&mut self, equations: Vec<Sum>, velocities: &[SymbolId]) -> Vec<SymbolId> {
-        let still: Vec<SymbolId> =
-            velocities.iter().copied().filter(|v| self.symbols.value(*v) == 0.0).collect();
-        // What counts is a factor of a velocity, not the velocity.
-        still.iter().for_each(|v| self.symbols.place(*v, 1.0));
-        let own = |t: &Expr| t.uses().into_iter().find(|s| velocities.contains(s));
-        let counts = |sum: &Sum| -> Vec<Option<SymbolId>> {
-            let terms = sum.terms().iter().map(Factors::expr);
-            terms.filter(|t| self.value(t).abs() > NOTHING).map(|t| own(&t)).collect()
-        };
-        let rows: Vec<Vec<Option<SymbolId>>> = equations.iter().map(counts).collect();
-        still.iter().for_each(|v| self.symbols.place(*v, 0.0));
-        let mut idle = Vec::new();
-        let alone = |row: &Vec<Option<SymbolId>>, idle: &[SymbolId]| {
-            let mut open = row.iter().copied().filter(|s| s.is_none_or(|s| !idle.contains(&s)));
-            let first = open.next()??;
-            open.all(|s| s == Some(first)).then_some(first).filter(|s| still.contains(s))
-        };
-        while let Some(symbol) = rows.iter().find_map(|row| alone(row, &idle)) {
-            idle.push(symbol);
-        }
-        idle
+        Some((held, idle))
     }
     /// What it is of, and why no unknown impulse counts.
-    fn says(&self, Momentum { bodies, of }: &Momentum) -> String {
+    fn say_momentum(&mut self, Momentum { bodies, of }: &Momentum) {
         let several = self.bodies.len() > 1;
         let within = |p: &&Pull| bodies.contains(&p.body);
         let inner = self.holds.iter().any(|h| h.pulls.iter().filter(within).count() > 1);
@@ -504,7 +475,7 @@ impl Plane<'_, '_> {
         let why = [why, inner.then_some("impact.cancels")].into_iter().flatten();
         let why: String = why.map(|name| self.phrase(name, &[])).collect();
         let bodies = if several { format!(" ({})", names.join(", ")) } else { String::new() };
-        self.phrase(name, &[("point", &point), ("bodies", &bodies), ("why", &why)])
+        self.say(name, &[("point", &point), ("bodies", &bodies), ("why", &why)]);
     }
     /// An expression with these put in, multiplied out, so that what is alike is collected.
     fn spelled(of: &Expr, known: &[(SymbolId, Expr)]) -> Sum {
@@ -515,47 +486,9 @@ impl Plane<'_, '_> {
         }
         Sum::of(terms)
     }
-    /// What an equation, a sum that is 0, says of a symbol in it.
-    fn solve_for(&self, row: &Sum, symbol: SymbolId) -> Option<Expr> {
-        let holds = |t: &&Factors| t.expr().uses().contains(&symbol);
-        let (own, rest): (Vec<&Factors>, Vec<&Factors>) = row.terms().iter().partition(holds);
-        let share = Sum::of(own.into_iter().map(|t| t.per(symbol)));
-        let value = self.value(&share.expr());
-        if share.expr().uses().contains(&symbol) || value.abs() <= NOTHING {
-            return None;
-        }
-        let sense = if value < 0.0 { 1 } else { -1 };
-        let rest = Sum::of(rest.into_iter().map(|t| t.signed(sense)));
-        Some(rest.expr().over(share.signed(-sense).expr()))
-    }
-    /// Takes the open velocities out of the equations, sums that are 0, one after the other, and notes how each follows.
-    fn eliminate(&mut self, mut rows: Vec<Sum>, mut open: Vec<SymbolId>) -> Option<()> {
-        let (mut first, mut last) = (Vec::new(), Vec::new());
-        while !open.is_empty() {
-            let unknown = |row: &Sum| -> Vec<SymbolId> {
-                row.expr().uses().into_iter().filter(|s| open.contains(s)).collect()
-            };
-            let least = (0..rows.len()).filter(|i| !unknown(&rows[*i]).is_empty());
-            let at = least.min_by_key(|i| (unknown(&rows[*i]).len(), std::cmp::Reverse(*i)))?;
-            let row = rows.remove(at);
-            let mut candidates = unknown(&row);
-            let alone = candidates.len() == 1;
-            let turns = |s: &SymbolId| self.bodies.iter().any(|b| b.alpha == Some(*s));
-            candidates.sort_by_key(turns);
-            let (symbol, is) = candidates.into_iter().find_map(|s| Some((s, self.solve_for(&row, s)?)))?;
-            open.retain(|s| *s != symbol);
-            if alone {
-                first.push((symbol, is));
-            } else {
-                let put = |row: &Sum| Self::spelled(&row.expr(), &[(symbol, is.clone())]);
-                rows = rows.iter().map(put).collect();
-                last.insert(0, (symbol, is));
-            }
-        }
-        for (symbol, is) in first.into_iter().chain(last) {
-            self.page.step(symbol, is);
-        }
-        Some(())
+    /// Is it the turn of a body?
+    fn turns(&self, velocity: SymbolId) -> bool {
+        self.bodies.iter().any(|b| b.alpha == Some(velocity))
     }
     /// The impulses of joints that are asked, from the momenta of single bodies.
     fn impulses_from(&mut self, held: &[(SymbolId, Expr)]) {
@@ -575,27 +508,25 @@ impl Plane<'_, '_> {
         let found = needed(found, wanted);
         self.page.follow(&found);
     }
-    /// What is told where unknown impulses are in every equation.
-    fn each_momentum(&self, rows: Vec<Sides>, demands: Vec<Sides>) -> Told {
-        let (pin, radial) = match &self.pivot {
-            Some(pivot) => (pivot.name.clone(), pivot.radial),
-            None => (String::new(), false),
-        };
+    /// Tells the momenta of each body, where unknown impulses are in every equation.
+    fn tell_each_momentum(&mut self, rows: &[Sides], demands: &[Sides]) {
         let name = match (&self.pivot, self.holds.is_empty()) {
             (None, true) => "joined.blow",
             (None, false) => "joined.blow_joints",
-            (Some(_), _) if radial => "joined.blow_radial",
+            (Some(pivot), _) if pivot.radial => "joined.blow_radial",
             (Some(_), _) => "joined.blow_pinned",
         };
-        let mut paragraphs = vec![(self.phrase(name, &[("pin", &pin)]), rows)];
+        let pin = self.pivot.as_ref().map_or_else(String::new, |pivot| pivot.name.clone());
+        self.say(name, &[("pin", &pin)]);
+        self.page.equations_or_one(rows);
+        let many = demands.len() > FEW;
         if !demands.is_empty() {
-            let many = demands.len() > FEW;
             let name = if many { "joined.blow_demands_many" } else { "joined.blow_demands" };
-            let sentence = self.phrase(name, &[("n", &demands.len().to_string())]);
-            let shown = if many && self.detail != Detail::Full { Vec::new() } else { demands };
-            paragraphs.push((sentence, shown));
+            self.say(name, &[("n", &demands.len().to_string())]);
         }
-        Told { paragraphs, held: Vec::new(), idle: Vec::new(), solved: true }
+        if !many || self.detail == Detail::Full {
+            self.page.equations_or_one(demands);
+        }
     }
 
     // -- what is told -----------------------------------------------------------------------------------------------------
@@ -606,7 +537,7 @@ impl Plane<'_, '_> {
     }
     /// Is there no choice of momenta without unknown impulses that would do?
     pub fn entangled(&self) -> bool {
-        self.blow.as_ref().is_some_and(|b| !b.together.is_empty())
+        self.blow.as_ref().is_some_and(|b| b.entangled)
     }
     /// Is an impulse of a joint asked?
     pub fn asks_impulses(&self) -> bool {
@@ -614,20 +545,11 @@ impl Plane<'_, '_> {
     }
     /// Does a joint feel it?
     pub fn jolts(&self) -> bool {
-        let impulses = self.blow.iter().flat_map(|b| &b.impulses);
-        impulses.into_iter().any(|(_, impulse)| self.symbols.value(*impulse).abs() > NOTHING)
+        self.blow.as_ref().is_some_and(|b| b.jolts)
     }
-    /// What the blow does: momenta, and what follows.
-    pub fn tell_blow(&mut self) {
-        let Some(blow) = self.blow.clone() else { return };
-        for (sentence, rows) in &blow.told {
-            self.page.add(sentence.clone());
-            self.page.equations_or_one(rows);
-        }
-        // What was solved for together comes before what follows from it.
-        let solved =
-            blow.together.iter().filter(|s| self.symbols.value(**s) != 0.0).map(|s| (*s, (*s).into()));
-        // What the joints give has been told; its number is shown where it is asked.
+    /// What was solved for together, then how the velocities and impulses follow of these steps on; those that the joints give, and
+    /// those that are 0 whatever the data, only where they are asked.
+    fn tell_velocities(&mut self, steps: usize, [held, idle, together]: [&[SymbolId]; 3]) {
         let needed = self.needed();
         let asked = needed.iter().filter_map(|label| match label.of {
             Owner::Body(b) => Some(b),
@@ -635,32 +557,20 @@ impl Plane<'_, '_> {
             _ => None,
         });
         let asked: Vec<usize> = asked.collect();
-        let owned = |step: &Step| {
-            let own = |b: &PlaneBody| b.a.contains(&step.symbol) || b.alpha == Some(step.symbol);
-            let asked = blow.bodies.iter().position(own).is_none_or(|b| asked.contains(&b));
-            asked || matches!(step.from, Expr::Sum(_))
-        };
-        let velocity = |s: &SymbolId| blow.bodies.iter().any(|b| b.a.contains(s) || b.alpha == Some(*s));
+        let (at_once, moves) = (self.scene.end == End::AtOnce, |s: SymbolId| self.symbols.value(s) != 0.0);
         let told = |step: &&Step| {
-            let moves = self.symbols.value(step.symbol) != 0.0;
-            let stops =
-                blow.together.is_empty() && velocity(&step.symbol) && !blow.idle.contains(&step.symbol);
-            (moves || stops)
-                && (!blow.held.contains(&step.symbol) || self.scene.end == End::AtOnce && owned(step))
+            let s = step.symbol;
+            let body = self.bodies.iter().position(|b| b.a.contains(&s) || b.alpha == Some(s));
+            let stops = together.is_empty() && body.is_some() && !idle.contains(&s);
+            // What the joints give has been told; its number is shown where it is asked.
+            let shown = body.is_none_or(|b| asked.contains(&b)) || matches!(step.from, Expr::Sum(_));
+            (moves(s) || stops) && (!held.contains(&s) || at_once && shown)
         };
-        let steps = blow.steps.iter().filter(told);
-        let all: Vec<(SymbolId, Expr)> =
-            solved.chain(steps.map(|step| (step.symbol, self.moving(&blow, &step.from)))).collect();
-        let lines: Vec<String> = all.into_iter().map(|(s, from)| self.chain(s, &from)).collect();
-        let name = match blow.from_rest {
-            true if self.impact() => "impact.so",
-            true => "joined.together_blow",
-            false => "impact.changes",
-        };
-        self.say(name, &[]);
+        let solved = together.iter().filter(|s| moves(**s)).map(|s| self.chain(*s, &(*s).into()));
+        let steps = self.steps[steps..].iter().filter(told);
+        let lines: Vec<String> =
+            solved.chain(steps.map(|step| self.chain(step.symbol, &step.from))).collect();
         self.page.formulas(lines);
-        self.page.steps.extend(blow.steps.iter().filter(|step| step.from != step.symbol.into()).cloned());
-        self.page.derived.extend(blow.steps);
         self.skip_new();
     }
     /// The energy that an impact loses, and what becomes of it where a coefficient of restitution or a mass is another.
@@ -689,7 +599,7 @@ impl Plane<'_, '_> {
         }
         let [before, after] = [&before, &blow.after].map(|e| self.page.expanded(e));
         // Where all was solved for together no formula tells what else would come out.
-        if !blow.together.is_empty() {
+        if blow.entangled {
             return Ok(());
         }
         if let Some((_, e)) = self.scene.restitution {
@@ -697,7 +607,7 @@ impl Plane<'_, '_> {
             let Expr::Symbol(e) = e else { return Ok(()) };
             let own = self.symbols.value(e);
             let limits =
-                blow.steps.iter().filter(|step| !blow.held.contains(&step.symbol)).find_map(|step| {
+                self.steps.iter().filter(|step| !blow.held.contains(&step.symbol)).find_map(|step| {
                     let is = self.page.expanded(&step.from);
                     is.uses().contains(&e).then_some((step.symbol, is))
                 });
@@ -779,10 +689,6 @@ impl Plane<'_, '_> {
         };
         Some(self.page.find_once(&names, label.quantity.unit(), is))
     }
-    /// An expression without the velocities that are 0 whatever the data.
-    fn moving(&self, blow: &Blow, of: &Expr) -> Expr {
-        blow.idle.iter().fold(of.clone(), |all, v| all.put(*v, &ZERO))
-    }
     /// A quantity, or 0 where it is that.
     fn unless_zero(&self, symbol: SymbolId) -> Expr {
         if self.symbols.value(symbol) == 0.0 { ZERO } else { symbol.into() }
@@ -817,34 +723,4 @@ fn bodies_turn(blow: &Blow, symbol: SymbolId) -> bool {
 pub const fn is_impulse(q: Quantity) -> bool {
     use Quantity::{FrictionImpulse, Impulse, ImpulseX, ImpulseY};
     matches!(q, Impulse | ImpulseX | ImpulseY | FrictionImpulse)
-}
-
-/// How a blow is told.
-struct Told {
-    paragraphs: Vec<Paragraph>,
-    /// Velocities that others give by the joints.
-    held: Held,
-    /// Velocities that are 0 whatever the data.
-    idle: Vec<SymbolId>,
-    /// Were its equations solved together?
-    solved: bool,
-}
-
-/// Independent rows of coefficients, each with the column in which it stands alone.
-#[derive(Default)]
-struct Rank(Vec<(usize, Vec<f64>)>);
-
-impl Rank {
-    /// Takes a row, if it says more than those that there are.
-    fn takes(&mut self, mut row: Vec<f64>) -> bool {
-        let size = row.iter().fold(0.0f64, |most, x| most.max(x.abs()));
-        for (column, known) in &self.0 {
-            let share = row[*column] / known[*column];
-            row.iter_mut().zip(known).for_each(|(x, k)| *x -= share * k);
-        }
-        let most = (0..row.len()).max_by(|a, b| row[*a].abs().total_cmp(&row[*b].abs()));
-        let Some(column) = most.filter(|c| row[*c].abs() > 1e-9 * size) else { return false };
-        self.0.push((column, row));
-        true
-    }
 }

@@ -155,6 +155,7 @@ pub fn power(base: Expr, exponent: u32) -> Expr {
         (base, 1) => base,
         (Expr::Number(a, b), n) => Expr::Number(a.pow(n), b.pow(n)),
         (Expr::Minus(inner), n) if n % 2 == 0 => power(*inner, n),
+        (Expr::Root(inner), 2) => *inner,
         (Expr::Sum(terms), n) if n % 2 == 0 && terms.iter().all(|t| matches!(t, Expr::Minus(_))) => {
             power(minus(Expr::Sum(terms)), n)
         }

@@ -1,6 +1,6 @@
 //! Products and ratios of symbols that cancel what they can: velocity ratios, masses, moments of inertia.
 use crate::solution::expr::{
-    Expr, Function, SymbolId, ZERO, cosine, minus, power, product, reduced, root, sine, sum,
+    Expr, Function, ONE, SymbolId, ZERO, cosine, minus, power, product, reduced, root, sine, sum,
 };
 use crate::solution::symbols::Symbols;
 
@@ -174,6 +174,10 @@ impl Factors {
         let rest = self.per(factor);
         factor.parts().into_iter().flat_map(|term| rest.times(term).spread(symbol)).collect()
     }
+    /// Its derivative by a symbol that stands above.
+    pub fn slope(&self, by: SymbolId) -> Sum {
+        self.over.iter().map(|factor| self.per(factor).times(factor.slope(by, &ONE))).collect()
+    }
     /// As an expression: powers collected.
     pub fn expr(&self) -> Expr {
         if self.is_zero() {
@@ -275,21 +279,27 @@ fn together(one: &Factors, other: &Factors) -> Option<Factors> {
     Some(common.times(constant).times(found))
 }
 
-/// What all terms have in front, their common denominator too, and the sum that is left.
+/// What all terms have in front, a number and the common denominator too.
+fn common(all: &[Factors]) -> Factors {
+    let common = all.iter().cloned().reduce(|common, t| common.shared(&t)).unwrap_or_else(Factors::one);
+    let divisor = |a: i64, b: i64| a.abs() / reduced(a.abs(), b.abs().max(1)).0.max(1);
+    let over = all.iter().fold(0, |d, t| if d == 0 { t.constant.0.abs() } else { divisor(d, t.constant.0) });
+    let under = all.iter().fold(1, |m, t| m / divisor(m, t.constant.1) * t.constant.1);
+    let sense = if all.iter().all(|t| t.constant.0 < 0) { -1 } else { 1 };
+    Factors { constant: reduced(sense * over.max(1), under), ..common }
+}
+
+/// The same, a number only beside other factors or where it is that of each term; and the sum that is left.
 fn gathered(all: &[Factors]) -> (Factors, Expr) {
     let [first, others @ ..] = all else { return (Factors::one(), ZERO) };
     if others.is_empty() {
         return (first.clone(), Expr::Number(1, 1));
     }
-    let common = others.iter().fold(first.clone(), |common, t| common.shared(t));
-    let divisor = |a: i64, b: i64| a.abs() / reduced(a.abs(), b.abs().max(1)).0.max(1);
-    let over = all.iter().fold(0, |d, t| if d == 0 { t.constant.0.abs() } else { divisor(d, t.constant.0) });
-    let under = all.iter().fold(1, |m, t| m / divisor(m, t.constant.1) * t.constant.1);
-    let alike =
-        all.iter().all(|t| t.constant.0.abs() == first.constant.0.abs() && t.constant.1 == first.constant.1);
-    let sense = if all.iter().all(|t| t.constant.0 < 0) { -1 } else { 1 };
-    let constant = if alike || !common.is_one() { reduced(sense * over.max(1), under) } else { (1, 1) };
-    let common = Factors { constant, ..common };
+    let mut common = common(all);
+    let size = |t: &Factors| (t.constant.0.abs(), t.constant.1);
+    if common.over.is_empty() && common.under.is_empty() && others.iter().any(|t| size(t) != size(first)) {
+        common = Factors::one();
+    }
     let inner = sum(all.iter().map(|t| t.per(&common).expr()));
     (common, inner)
 }
@@ -331,6 +341,20 @@ impl Sum {
     pub fn plus(&self, other: &Self) -> Self {
         Self::of(self.0.iter().chain(&other.0).cloned())
     }
+    /// The difference.
+    #[must_use]
+    pub fn less(&self, other: &Self) -> Self {
+        self.plus(&other.opposite())
+    }
+    /// With an expression in the place of a symbol.
+    #[must_use]
+    pub fn put(&self, symbol: SymbolId, other: &Expr) -> Self {
+        let put = |list: &[Expr]| Factors::of(&product(list.iter().map(|f| f.put(symbol, other))));
+        let put = |t: &Factors| {
+            Factors { constant: t.constant, ..Factors::one() }.times(put(&t.over)).per(put(&t.under))
+        };
+        Self::of(self.0.iter().map(put))
+    }
     /// Each term times this.
     #[must_use]
     pub fn times(&self, factor: impl Into<Factors>) -> Self {
@@ -357,6 +381,13 @@ impl Sum {
     #[must_use]
     pub fn by(&self, other: &Self) -> Self {
         Self::of(self.0.iter().flat_map(|a| other.0.iter().map(move |b| a.times(b))))
+    }
+    /// Without what all terms have in front, but for these symbols.
+    #[must_use]
+    pub fn primitive(&self, but: &[SymbolId]) -> Self {
+        let mut common = common(&self.0);
+        common.over.retain(|f| !but.iter().any(|s| *f == Expr::Symbol(*s)));
+        self.times(Factors::one().per(common))
     }
     /// As an expression: what is added first, what all have in front.
     pub fn expr(&self) -> Expr {

@@ -94,37 +94,11 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
         self.say("joined.idle", &[("why", &kinds.join("; "))]);
     }
     fn ways(&mut self) -> Result<(), DerivationStop> {
-        if self.blow.is_some() {
-            self.struck();
+        if self.instant() && self.blow.is_some() {
+            self.set_off();
+            return Ok(());
         }
-        if self.scene.end == End::Equilibrium {
-            self.at_rest()?;
-        } else if self.instant() && self.blow.is_some() {
-            let (rate, is) = (self.rate, self.positive(&self.first));
-            // The blow has been told to change what there was.
-            let added = matches!(is, Expr::Sum(_));
-            self.page.step(rate, is);
-            let hangs = |l: &Label| matches!(l.quantity, Quantity::Omega | Quantity::KineticEnergy);
-            if added && self.needed().iter().any(hangs) {
-                self.say("impact.added", &[]);
-                self.tell([rate]);
-            }
-        } else if self.instant() {
-            self.motion("short", "one_motion")?;
-            self.begin_as("why", "which");
-            let (driver, asked) = (self.driver, self.asks(Quantity::Drive));
-            match driver.filter(|_| asked && self.moves) {
-                Some(couple) => self.say("joined.why_driven", &[("couple", &self.names(&[couple]))]),
-                None if self.moves => self.say("joined.why_instant", &[]),
-                None => self.say("joined.why_at_rest", &[]),
-            }
-        } else if self.in_place() {
-            self.motion("short", "one_motion")?;
-            self.turn_steadily()?;
-        } else if self.rubs() {
-            self.motion("short", "one_motion")?;
-            self.integrate_friction()?;
-        } else {
+        if !self.scene.is_still() && !self.in_place() && !self.rubs() {
             let [first, second] = match self.leaves() {
                 Some(_) => ["first_energy", "then_motion"],
                 None => ["short_energy", "long_motion"],
@@ -132,7 +106,26 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             self.energy(first)?;
             self.motion("long", second)?;
             self.why();
+            return Ok(());
         }
+        self.motion("short", if self.still() { "rest_motion" } else { "one_motion" })?;
+        let name = match self.driver {
+            _ if self.still() => return self.at_rest(),
+            _ if self.in_place() => {
+                self.turn_steadily()?;
+                "joined.why_in_place"
+            }
+            _ if self.instant() && !self.moves => "joined.why_at_rest",
+            Some(_) if self.instant() && self.asks(Quantity::Drive) => "joined.why_driven",
+            _ if self.instant() => "joined.why_instant",
+            _ => {
+                self.integrate_friction()?;
+                "joined.why_rubs"
+            }
+        };
+        self.begin_as("why", "which");
+        let pieces: Pieces = &[("couple", &Vec::from_iter(self.driver)), ("forces", &self.pressing())];
+        self.page.say(name, pieces);
         Ok(())
     }
     fn forces(&mut self) -> Result<(), DerivationStop> {
@@ -221,7 +214,9 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
                 let e = self.scene.restitution.map_or(1.0, |(_, e)| self.datum(e));
                 if e == 0.0 { "impact.onward_soft" } else { "impact.onward" }
             }
-            _ if self.impact() && !self.asks_impulses() && !self.entangled() => "impact.onward_stays",
+            _ if self.impact() && self.jolts() && !self.asks_impulses() && !self.entangled() => {
+                "impact.onward_stays"
+            }
             End::AtOnce if self.impact() => "onward.other",
             End::AtOnce if self.pivot.is_some() && self.jolts() => "pinned.onward_struck",
             End::AtOnce if self.blow.is_some() => "joined.onward_struck",
@@ -313,7 +308,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// Where the bodies are: what the joints say of their angles, and the place where the motion ends.
-    fn tell_places(&mut self) {
+    pub fn tell_places(&mut self) {
         let last = self.turns[0].at[1].clone();
         let value = self.valued(&last, "1");
         let name = match self.scene.end {
@@ -348,28 +343,25 @@ impl<'d, 'a> Plane<'d, 'a> {
             let mut symbols: Vec<SymbolId> = turn.at.iter().filter(|e| own(e)).flat_map(Expr::uses).collect();
             symbols.dedup();
             let list: Vec<String> = symbols.iter().map(|s| self.shown(*s)).collect();
-            Some((turn.slides, symbols.is_empty(), format!("{name} {}", list.join(", "))))
+            (!symbols.is_empty()).then(|| (turn.slides, format!("{name} {}", list.join(", "))))
         });
-        let (slides, angles): (Vec<_>, Vec<_>) = angles.partition(|(slides, ..)| *slides);
-        let slides: Vec<String> = slides.into_iter().map(|(.., place)| place).collect();
+        let (slides, angles): (Vec<_>, Vec<_>) = angles.partition(|(slides, _)| *slides);
+        let all =
+            |list: Vec<(bool, String)>| Vec::from_iter(list.into_iter().map(|(_, told)| told)).join("; ");
+        let [slides, angles] = [slides, angles].map(all);
         if !slides.is_empty() {
-            self.say("joined.slides", &[("places", &slides.join("; "))]);
+            self.say("joined.slides", &[("places", &slides)]);
         }
-        let angles: Vec<(bool, String)> = angles.into_iter().map(|(_, none, text)| (none, text)).collect();
-        if angles.iter().all(|(none, _)| *none) {
-            let loops: Vec<String> = self.loops.iter().map(|[a, b]| format!("{a} = {b}")).collect();
-            self.formulas_or_one(loops);
-            return;
+        if !angles.is_empty() {
+            let name = if self.loops.is_empty() { "joined.angles_alone" } else { "joined.angles" };
+            self.say(name, &[("angles", &angles)]);
         }
-        let angles: Vec<String> = angles.into_iter().map(|(_, angle)| angle).collect();
-        let name = if self.loops.is_empty() { "joined.angles_alone" } else { "joined.angles" };
-        self.say(name, &[("angles", &angles.join("; "))]);
         let loops: Vec<String> = self.loops.iter().map(|[a, b]| format!("{a} = {b}")).collect();
         self.formulas_or_one(loops);
     }
 
     /// Moment of inertia about the pin.
-    fn about_the_pin(&mut self, pivot: &Pivot) {
+    pub fn about_the_pin(&mut self, pivot: &Pivot) {
         let name = if pivot.own == ZERO { "pinned.inertia_point" } else { "pinned.inertia" };
         self.say(name, &[("pin", &pivot.name)]);
         let square = self.bodies[0].mass.times(pivot.h.squared());
@@ -387,7 +379,7 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// The ratios of the angular velocities.
     fn ratios(&mut self) {
-        let placed = self.steps[..self.steps_of[0]].iter().map(|s| s.symbol);
+        let placed = self.steps[..self.placed].iter().map(|s| s.symbol);
         let lengths = self.lengths();
         let ratios: Vec<SymbolId> = placed.filter(|s| !lengths.contains(s)).collect();
         if ratios.is_empty() {
@@ -459,10 +451,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.begin_as("short", title);
         self.tell_places();
         self.kinetic();
-        let [placed, acted] = self.steps_of;
         let about = self.pivot.as_ref().map(|p| p.about);
         let hidden = [&self.springs[..], &self.units, &Vec::from_iter(about)].concat();
-        let needed = self.steps[placed..acted].iter().map(|s| s.symbol);
+        let needed = self.steps[self.acted.clone()].iter().map(|s| s.symbol);
         let needed: Vec<SymbolId> = needed.filter(|s| !hidden.contains(s)).collect();
         if !needed.is_empty() {
             let needs = |quantity: fn(&Expr) -> bool| needed.iter().any(|s| quantity(&self.from(*s)));
@@ -470,7 +461,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             let notes = [
                 ("joined.in_radians", angles),
                 ("joined.of_springs", self.scene.struts.iter().any(|s| !s.twists())),
-                ("joined.sinking", needed.iter().any(|s| self.symbols.tex(*s).starts_with(['h', 'H']))),
+                ("joined.sinking", needed.iter().any(|s| self.heights.contains(s))),
             ];
             let notes = notes.into_iter().filter(|(_, there)| *there);
             let tag = if self.scene.struts.len() > 1 { ",1" } else { "" };
@@ -593,22 +584,27 @@ impl<'d, 'a> Plane<'d, 'a> {
         ratio(1, 2).by(&j).by(square(&self.first))
     }
 
-    /// What the blow does.
-    fn struck(&mut self) {
-        let title = if self.impact() { "impact" } else { "blow" };
-        self.begin_as("blow", title);
-        if self.instant() {
-            self.tell_places();
+    /// The rate of the leading angle right after a blow.
+    fn set_off(&mut self) {
+        let (rate, is) = (self.rate, self.positive(&self.first));
+        if let (Expr::Symbol(own), Some(_)) = (&self.first, &self.pivot) {
+            // It bears the symbol of what the blow gives.
+            let own = self.page.sized(*own);
+            (self.rate, self.bodies[0].omega) = (own, Some(own));
+            return;
         }
-        if let Some(pivot) = self.pivot.clone() {
-            self.about_the_pin(&pivot);
+        // The blow has been told to change what there was.
+        let added = matches!(is, Expr::Sum(_));
+        self.page.step(rate, is);
+        let hangs = |l: &Label| matches!(l.quantity, Quantity::Omega | Quantity::KineticEnergy);
+        if added && self.needed().iter().any(hangs) {
+            self.say("impact.added", &[]);
+            self.tell([rate]);
         }
-        self.tell_blow();
     }
 
     /// Equilibrium: no force accelerates anything; and how it swings beside it.
     fn at_rest(&mut self) -> Result<(), DerivationStop> {
-        self.motion("short", "rest_motion")?;
         let rows: Vec<(Expr, Expr)> = (0..self.bodies.len()).flat_map(|b| self.equations(b)).collect();
         let left = rows.iter().map(|(left, _)| self.value(left).abs()).fold(0.0, f64::max);
         if !left.le(&(AGREEMENT_REL * 9.81 * self.mass())) {
@@ -693,23 +689,22 @@ impl<'d, 'a> Plane<'d, 'a> {
         let all_roll = self.scene.joints.iter().all(|j| rolls(&j.kind));
         let many = demands.len() > FEW;
         let arc: IsKind = |k| matches!(k, JointKind::Contact { surface: Surface::Arc { .. }, .. });
-        let name = if self.joint(arc) { "joined.demands_on_arc" } else { "joined.demands_rolling" };
-        let told = [
-            (self.joint(rolls) && !many, name),
-            (many, "joined.demands_many"),
-            (!many && self.points(), "joined.point_demands"),
-            (!many && !self.points() && !all_roll, "joined.demands"),
-        ];
+        let wheel = if self.joint(arc) { "joined.demands_on_arc" } else { "joined.demands_rolling" };
+        let other = match self.points() {
+            _ if many => Some("joined.demands_many"),
+            true => Some("joined.point_demands"),
+            false => (!all_roll).then_some("joined.demands"),
+        };
         if !demands.is_empty() {
-            let told: Vec<&str> = told.into_iter().filter(|(is, _)| *is).map(|(_, name)| name).collect();
+            let wheel = Some(wheel).filter(|_| self.joint(rolls) && !many);
             let n = demands.len().to_string();
-            let mut told: Vec<String> = told.iter().map(|name| self.phrase(name, &[("n", &n)])).collect();
+            let both = [wheel, other].into_iter().flatten().map(|name| self.phrase(name, &[("n", &n)]));
+            let mut both: Vec<String> = both.collect();
             // What leads on to equations stands before them.
-            let last = told.pop();
-            for sentence in told {
-                self.add(format!("{}.", sentence.trim_end_matches(':')));
+            if let [first, _] = &mut both[..] {
+                *first = format!("{}.", first.trim_end_matches(':'));
             }
-            last.into_iter().for_each(|sentence| self.add(sentence));
+            self.add(both.join(" "));
             if !many || self.detail == Detail::Full {
                 self.page.equations(&demands);
             }
@@ -732,7 +727,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let springs = [&self.springs[..], &self.units].concat();
         let used = self.behind(springs.clone(), |_| true);
         let own = |s: &SymbolId| *s != self.rate && Some(*s) != about && (self.instant() || used.contains(s));
-        let late = self.steps[self.steps_of[0]..steps].iter().map(|s| s.symbol).filter(own).collect();
+        let late = self.steps[self.acted.start..steps].iter().map(|s| s.symbol).filter(own).collect();
         let wanted: Vec<SymbolId> = if alone { late } else { springs };
         let sprung = !wanted.is_empty() && !self.springs.is_empty();
         let corded = self.joint(|k| matches!(k, JointKind::Cord { .. }))
@@ -795,8 +790,6 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.say("joined.rubs", &[("rate", &rate), ("mu", &self.tex(&mu))]);
         self.say("joined.rubs_rate", &[("rate", &self.shown(rate))]);
         self.told(rate);
-        self.begin_as("why", "which");
-        self.say("joined.why_rubs", &[("forces", &self.pressing())]);
         Ok(())
     }
 
@@ -871,8 +864,6 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.answer(Label { quantity: Quantity::T, of: Owner::Scene }, time);
             self.tell([time]);
         }
-        self.begin_as("why", "which");
-        self.say("joined.why_in_place", &[("forces", &self.pressing())]);
         Ok(())
     }
 

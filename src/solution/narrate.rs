@@ -468,44 +468,40 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         }
     }
     fn ways(&mut self) -> Result<(), DerivationStop> {
+        let speaks = matches!(self.short, Short::Energy | Short::Motion);
+        let swings = speaks && self.spring.is_some() && !self.placed();
         match self.short {
-            Short::Energy | Short::Motion if self.spring.is_some() && !self.placed() => self.swings(),
-            Short::Energy => {
+            Short::Energy if !swings => {
                 self.energy();
                 self.grow_up();
                 self.motion("long")?;
                 self.why();
-                Ok(())
+                return Ok(());
             }
-            Short::Motion => {
-                self.motion("short")?;
-                self.begin_as("why", "which");
-                self.say("why.not_energy", &[("v", &self.speed()), ("s", &self.s.clone())]);
-                self.say("why.ask", &[]);
-                Ok(())
-            }
-            Short::Neither => {
-                self.motion("short")?;
-                self.energy_of_slip()
-            }
-            Short::Together => {
-                self.motion("short")?;
-                if !self.stays() {
-                    // Energy is one balance for the unknown speeds of several freedoms.
-                    self.begin_as("why", "which");
-                    self.say("why.together", &[("unknown", &self.speeds())]);
-                    self.say("why.ask", &[]);
-                }
-                Ok(())
-            }
-            Short::Instant => self.instant(),
-            Short::Rates => {
-                self.motion("short")?;
-                self.begin_as("why", "which");
-                self.say("why.rates", &[]);
-                Ok(())
-            }
+            Short::Instant if !self.starts() => return self.instant(),
+            _ => self.motion("short")?,
         }
+        if swings {
+            self.tell_swing();
+        }
+        let name = match self.short {
+            _ if swings && matches!(self.scene.end, End::Time(..)) => "why.swing_time",
+            _ if swings => "why.swing",
+            Short::Neither => return self.energy_of_slip(),
+            Short::Together if self.stays() => return Ok(()),
+            // Energy is one balance for the unknown speeds of several freedoms.
+            Short::Together => "why.together",
+            Short::Instant => "why.start",
+            Short::Rates => "why.rates",
+            _ => "why.not_energy",
+        };
+        self.begin_as("why", "which");
+        let (v, s, unknown) = (self.speed(), self.s.clone(), self.speeds());
+        self.say(name, &[("v", &v), ("s", &s), ("unknown", &unknown)]);
+        if matches!(name, "why.together" | "why.not_energy") {
+            self.say("why.ask", &[]);
+        }
+        Ok(())
     }
     fn forces(&mut self) -> Result<(), DerivationStop> {
         if !self.forced() {
@@ -1165,8 +1161,7 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     /// A motion on a spring that ends at a time, at a speed or where it turns.
-    fn swings(&mut self) -> Result<(), DerivationStop> {
-        self.motion("short")?;
+    fn tell_swing(&mut self) {
         self.say("motion.swing", &[]);
         for (symbol, name) in [(OMEGA_SWING, "motion.letters"), (TIME_SLACK, "motion.letters_slack")] {
             if self.symbols.named(&[symbol]).is_some() {
@@ -1176,20 +1171,10 @@ impl<'d, 'a> Account<'d, 'a> {
         let normals = [self.normals(), self.kinetic_frictions()].concat();
         self.tell_as_known(normals);
         self.tell_new();
-        self.begin_as("why", "which");
-        let time = matches!(self.scene.end, End::Time(..));
-        self.say(if time { "why.swing_time" } else { "why.swing" }, &[]);
-        Ok(())
     }
 
     /// The velocities of an instant, its kinetic energy, and its equations of motion where forces are asked.
     fn instant(&mut self) -> Result<(), DerivationStop> {
-        if self.starts() {
-            self.motion("short")?;
-            self.begin_as("why", "which");
-            self.say("why.start", &[]);
-            return Ok(());
-        }
         self.begin_as("short", "instant");
         for c in self.coordinates() {
             let _ = self.get(c.speed());

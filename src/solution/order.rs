@@ -1,10 +1,14 @@
 //! In which order equations give what is unknown in them: each from one in which nothing else is, or two from two together. So a
 //! lecture goes through the forces of a linkage, with moments about a joint where its force is not wanted.
+//!
+//! Where no such order is told (velocities of an impact, velocity ratios of ties) the unknowns are eliminated one after the other.
 use crate::scene::{End, Quantity};
+use crate::solution::draft::Draft;
 use crate::solution::expr::{Expr, SymbolId, ZERO, positive_first, sum};
 use crate::solution::factors::{Cancel, Factors, Sum};
 use crate::solution::page::{Page, packed};
-use crate::solution::plane::{Plane, cross, less};
+use crate::solution::plane::{NOTHING, Plane, cross, less};
+use std::cmp::Reverse;
 
 /// Lines that the values take at least, however full the page is.
 const LEAST: usize = 5;
@@ -45,6 +49,75 @@ pub fn needed(all: Vec<Found>, mut wanted: Vec<SymbolId>) -> Vec<Found> {
         }
     }
     kept
+}
+
+/// What equations give when the unknowns have been taken out of them one after the other.
+pub struct Eliminated {
+    /// How each follows, by itself or from those before it.
+    pub found: Vec<(SymbolId, Expr)>,
+    /// Those that one equation alone says to be 0, whatever the data.
+    pub idle: Vec<SymbolId>,
+    /// The equations that are left.
+    pub left: Vec<Sum>,
+}
+
+impl Draft<'_> {
+    /// An equation, a sum that is 0, by what is the factor of a symbol in it, and the rest.
+    pub fn parted(&self, row: &Sum, symbol: SymbolId) -> Option<[Sum; 2]> {
+        let holds = |t: &Factors| t.expr().uses().contains(&symbol);
+        let (own, rest): (Vec<Factors>, Vec<Factors>) = row.terms().iter().cloned().partition(holds);
+        let share = Sum::of(own.iter().map(|t| t.per(symbol)));
+        let clear = !share.terms().iter().any(holds) && share.expr().value(&self.symbols).abs() > NOTHING;
+        clear.then(|| [share, Sum::of(rest)])
+    }
+    /// A quotient, with a positive denominator.
+    pub fn quotient(&self, over: &Sum, under: &Sum) -> Expr {
+        let sense = if under.expr().value(&self.symbols) < 0.0 { -1 } else { 1 };
+        over.signed(sense).expr().over(under.signed(sense).expr())
+    }
+    /// Takes what is open out of the equations, sums that are 0, without a fraction in a fraction; what comes late is solved for only where
+    /// nothing else is.
+    pub fn eliminate(
+        &self,
+        mut rows: Vec<Sum>,
+        mut open: Vec<SymbolId>,
+        late: impl Fn(SymbolId) -> bool,
+    ) -> Option<Eliminated> {
+        let (mut first, mut last, mut idle) = (Vec::new(), Vec::new(), Vec::new());
+        while !open.is_empty() {
+            let unknown = |row: &Sum| -> Vec<SymbolId> {
+                row.expr().uses().into_iter().filter(|s| open.contains(s)).collect()
+            };
+            let least = (0..rows.len()).filter(|i| !unknown(&rows[*i]).is_empty());
+            let at = least.min_by_key(|i| (unknown(&rows[*i]).len(), Reverse(*i)))?;
+            let row = rows.remove(at);
+            let mut candidates = unknown(&row);
+            let alone = candidates.len() == 1;
+            candidates.sort_by_key(|s| late(*s));
+            let (symbol, [share, rest]) =
+                candidates.into_iter().find_map(|s| Some((s, self.parted(&row, s)?)))?;
+            open.retain(|s| *s != symbol);
+            if alone && rest.is_zero() && last.is_empty() {
+                rows.iter_mut().for_each(|row| *row = row.put(symbol, &ZERO));
+                idle.push(symbol);
+                continue;
+            }
+            let found = (symbol, self.quotient(&rest.opposite(), &share));
+            if alone {
+                first.push(found);
+                continue;
+            }
+            last.insert(0, found);
+            for other in rows.iter_mut().filter(|other| self.parted(other, symbol).is_some()) {
+                let put = |t: &Factors| match t.expr().uses().contains(&symbol) {
+                    true => t.per(symbol).each(&rest).opposite(),
+                    false => t.each(&share),
+                };
+                *other = other.terms().iter().map(put).sum::<Sum>().primitive(&open);
+            }
+        }
+        Some(Eliminated { found: first.into_iter().chain(last).collect(), idle, left: rows })
+    }
 }
 
 impl Page<'_, '_> {

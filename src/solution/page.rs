@@ -132,33 +132,35 @@ impl<'d, 'a> Page<'d, 'a> {
     pub fn expanded(&self, of: &Expr) -> Expr {
         self.steps.iter().rev().fold(of.clone(), |all, step| all.put(step.symbol, &step.from))
     }
-    /// What linear equations, each with both its sides, say of these unknowns, `None` of one that they leave open.
-    pub fn solved(&mut self, equations: &[(Expr, Expr)], unknowns: &[SymbolId]) -> Option<Vec<Option<f64>>> {
+    /// The coefficients of unknowns in what is linear in them, each with its place among them, and what is left without them.
+    pub fn linear(&mut self, of: &Expr, unknowns: &[SymbolId]) -> (Vec<(usize, f64)>, f64) {
         let before: Vec<f64> = unknowns.iter().map(|s| self.symbols.value(*s)).collect();
         unknowns.iter().for_each(|s| self.symbols.place(*s, 0.0));
-        let rest = |page: &Self, (left, right): &(Expr, Expr)| page.value(left) - page.value(right);
-        let mut rows = Vec::new();
-        for row in equations {
-            let (none, uses) = (rest(self, row), [row.0.uses(), row.1.uses()].concat());
-            let mut terms = Vec::new();
-            for (column, symbol) in unknowns.iter().enumerate().filter(|(_, s)| uses.contains(s)) {
-                self.symbols.place(*symbol, FAR);
-                terms.push((column, (rest(self, row) - none) / FAR));
-                self.symbols.place(*symbol, 0.0);
-            }
-            rows.push((terms, -none));
-        }
-        let mut system: Linear<f64> = Linear::new(unknowns.len(), 1);
-        let more = rows.len() > unknowns.len();
-        for (at, (terms, right)) in rows.iter().enumerate() {
-            // Of more equations than unknowns least squares take all.
-            let own = [(at, 1.0)];
-            for (row, share) in if more { terms } else { &own[..] } {
-                terms.iter().for_each(|(column, term)| system.term(*row, *column, share * term));
-                system.right(*row, 0, share * right);
-            }
+        let (none, uses) = (self.value(of), of.uses());
+        let mut terms = Vec::new();
+        for (column, symbol) in unknowns.iter().enumerate().filter(|(_, s)| uses.contains(s)) {
+            self.symbols.place(*symbol, FAR);
+            terms.push((column, (self.value(of) - none) / FAR));
+            self.symbols.place(*symbol, 0.0);
         }
         unknowns.iter().zip(before).for_each(|(s, x)| self.symbols.place(*s, x));
+        (terms, none)
+    }
+    /// What linear equations, each with both its sides, say of these unknowns, `None` of one that they leave open.
+    pub fn solved(&mut self, equations: &[(Expr, Expr)], unknowns: &[SymbolId]) -> Option<Vec<Option<f64>>> {
+        let mut system: Linear<f64> = Linear::new(unknowns.len(), 1);
+        let more = equations.len() > unknowns.len();
+        for (at, (left, right)) in equations.iter().enumerate() {
+            let [(one, first), (other, last)] = [left, right].map(|side| self.linear(side, unknowns));
+            let opposite = other.into_iter().map(|(column, term)| (column, -term));
+            let terms: Vec<(usize, f64)> = one.into_iter().chain(opposite).collect();
+            // Of more equations than unknowns least squares take all.
+            let own = [(at, 1.0)];
+            for (row, share) in if more { &terms } else { &own[..] } {
+                terms.iter().for_each(|(column, term)| system.term(*row, *column, share * term));
+                system.right(*row, 0, share * (last - first));
+            }
+        }
         let solution = system.solve().ok()?;
         Some((0..unknowns.len()).map(|i| (!solution.is_open(i)).then(|| solution.get(i, 0))).collect())
     }

@@ -15,8 +15,8 @@ use crate::solution::asked;
 use crate::solution::blow::{Blow, is_impulse};
 use crate::solution::draft::Draft;
 use crate::solution::expr::{
-    Expr, ONE, SymbolId, ZERO, cosine, in_sense, number, positive_first, power, ratio, root, signed, sine,
-    square, sum,
+    Expr, ONE, SymbolId, ZERO, cosine, in_sense, number, positive_first, ratio, root, signed, sine, square,
+    sum,
 };
 use crate::solution::factors::{Cancel, Factors, Sum};
 use crate::solution::page::{Page, Step, WITHIN};
@@ -24,6 +24,7 @@ use crate::solution::stop::{Beyond, DerivationStop, unfound};
 use crate::solution::terms::{self, Carrying, tagged};
 use crate::solution::written::width;
 use crate::solve::energy;
+use std::ops::Range;
 
 /// The start, and the place that is asked.
 pub const START: usize = 0;
@@ -37,6 +38,7 @@ pub const NOTHING: f64 = 1e-12;
 /// What stands below the symbols of the two straight pieces of a cord over a pulley.
 const PIECES: [&str; 2] = ["a", "b"];
 
+/// To the right and up; of a point, its place by the symbols of all angles.
 pub type Vector = [Sum; 2];
 
 /// To the right and up.
@@ -49,11 +51,14 @@ fn axes() -> [Vector; 2] {
 pub struct Turn {
     /// At the start and at the place that is asked, degrees.
     pub at: [Expr; 2],
+    /// What stands for it in places: within a sine or cosine the angle, elsewhere how far it has turned, rad.
+    angle: SymbolId,
+    /// See there.
+    way: SymbolId,
     /// Its rate, per unit rate of the leading one; 0 at an instant of rest.
     pub rate: [Expr; 2],
-    /// The axis is `from cos + across sin`.
-    from: [f64; 2],
-    across: [f64; 2],
+    /// The axis that turns by it.
+    axis: Vector,
     /// What stands below its symbols.
     pub tag: String,
     /// The joint of a light rod or a cord, which is no body, and its length.
@@ -62,84 +67,37 @@ pub struct Turn {
     pub slides: bool,
 }
 
-/// A coordinate of a place: a fixed part, and lengths times a cosine, a sine or an angle in radians.
-#[derive(Debug, Clone, Default)]
-pub struct Line {
-    fixed: Sum,
-    waves: Vec<(Factors, usize, Wave)>,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Wave {
-    Cosine,
-    Sine,
-    /// How far a wheel has turned.
-    Way,
-    /// A place along a guide, which is no angle.
-    Slide,
-}
-
-impl Line {
-    fn fixed(at: Sum) -> Self {
-        Self { fixed: at, waves: Vec::new() }
-    }
-    fn times(&self, by: &Factors) -> Self {
-        let waves = self.waves.iter().map(|(size, turn, wave)| (size.times(by), *turn, *wave));
-        Self { fixed: self.fixed.times(by), waves: waves.filter(|w| !w.0.is_zero()).collect() }
-    }
-    fn plus(&self, other: &Self) -> Self {
-        let waves = [self.waves.clone(), other.waves.clone()].concat();
-        Self { fixed: self.fixed.plus(&other.fixed), waves }
-    }
-    fn less(&self, other: &Self) -> Self {
-        self.plus(&other.times(&Factors::one().opposite()))
-    }
-}
-
-/// A point of the plane.
-pub type Point = [Line; 2];
-
-fn plus(a: &Point, b: &Point) -> Point {
+fn plus(a: &Vector, b: &Vector) -> Vector {
     [a[0].plus(&b[0]), a[1].plus(&b[1])]
 }
-pub fn less(a: &Point, b: &Point) -> Point {
+pub fn less(a: &Vector, b: &Vector) -> Vector {
     [a[0].less(&b[0]), a[1].less(&b[1])]
 }
-fn times(a: &Point, by: &Factors) -> Point {
-    [a[0].times(by), a[1].times(by)]
+fn times(a: &Vector, by: &Factors) -> Vector {
+    a.each_ref().map(|x| x.times(by))
+}
+/// So far along a direction.
+fn along(way: &Sum, unit: &Vector) -> Vector {
+    unit.each_ref().map(|x| way.by(x))
 }
 /// From the origin of an axis to the point at these distances along it and to its left.
-fn from_axis(axis: &Point, at: &[Factors; 2]) -> Point {
-    let on_axis = times(axis, &at[0]);
-    let left = [axis[1].times(&Factors::one().opposite()), axis[0].clone()];
-    if at[1].is_zero() { on_axis } else { plus(&on_axis, &times(&left, &at[1])) }
-}
-fn along(line: &Line, unit: &[Factors; 2]) -> Point {
-    [line.times(&unit[0]), line.times(&unit[1])]
+fn from_axis(axis: &Vector, at: &[Factors; 2]) -> Vector {
+    plus(&times(axis, &at[0]), &times(&left(axis), &at[1]))
 }
 /// From one point of a body to another, along its axis and to its left.
 fn between(to: &[Factors; 2], from: &[Factors; 2]) -> [Factors; 2] {
     [0, 1].map(|i| to[i].plus(&from[i].opposite()))
-}
-fn dot(a: &Point, unit: &[Factors; 2]) -> Line {
-    a[0].times(&unit[0]).plus(&a[1].times(&unit[1]))
-}
-fn left_of(unit: &[Factors; 2]) -> [Factors; 2] {
-    [unit[1].opposite(), unit[0].clone()]
 }
 /// A quarter turn to the left.
 pub fn left(v: &Vector) -> Vector {
     [v[1].opposite(), v[0].clone()]
 }
 pub fn cross(a: &Vector, b: &Vector) -> Sum {
-    a[0].by(&b[1]).plus(&a[1].by(&b[0]).opposite())
+    a[0].by(&b[1]).less(&a[1].by(&b[0]))
 }
 /// `a . b`
 pub fn product(a: &Vector, b: &Vector) -> Sum {
     a[0].by(&b[0]).plus(&a[1].by(&b[1]))
-}
-pub fn vector(unit: &[Factors; 2]) -> Vector {
-    unit.clone().map(Sum::one)
 }
 
 /// A cylinder on which a body is: the body's point, the radius there, the axis, the radius; from inside? Does it roll?
@@ -168,7 +126,7 @@ pub struct PlaneBody {
     /// Angular speed.
     pub omega: Option<SymbolId>,
     /// Where the origin of its axis is, and the angle of its axis.
-    origin: Point,
+    origin: Vector,
     pub turn: Option<usize>,
 }
 
@@ -229,7 +187,7 @@ pub struct Pivot {
     /// Does the angle count from upright?
     pub up: bool,
     /// The pin.
-    place: Point,
+    place: Vector,
 }
 
 /// A scene of joined bodies as far as it is known.
@@ -275,8 +233,12 @@ pub struct Plane<'d, 'a> {
     pub driver: Option<SymbolId>,
     /// The symbol of the inertia of the motion, where it has one.
     pub j: Option<SymbolId>,
-    /// How many steps are those of the joints, and of these and the forces.
-    pub steps_of: [usize; 2],
+    /// How many steps are those of the joints.
+    pub placed: usize,
+    /// Which are those of the forces.
+    pub acted: Range<usize>,
+    /// By how much mass centres sink.
+    pub heights: Vec<SymbolId>,
     /// Components of unit vectors along springs and cords.
     pub units: Vec<SymbolId>,
     /// The pin of a single body.
@@ -349,7 +311,9 @@ impl<'d, 'a> Plane<'d, 'a> {
             loops: Vec::new(),
             driver: None,
             j: None,
-            steps_of: [0, 0],
+            placed: 0,
+            acted: 0..0,
+            heights: Vec::new(),
             units: Vec::new(),
             pivot: None,
             k: None,
@@ -365,7 +329,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             let (tex, unit) = START_NAMES[usize::from(c.degree == Degree::Turn)];
             this.first = this.number(given, tex, unit);
             // A speed that is told by its direction may let the leading angle fall.
-            let numbers = Numbers::<f64>::new(this.scene, &this.values);
+            let numbers = this.numbers();
             let rate = Layout::new(this.scene, &numbers).and_then(|layout| layout.start_rate());
             if let (Degree::Along, Some(rate)) = (c.degree, rate) {
                 let sense = rate * this.value(&this.first);
@@ -396,7 +360,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             let from = this.turns[turn].rate[START].clone();
             this.steps.push(Step { symbol, from });
         }
-        this.steps_of[0] = this.steps.len();
+        this.placed = this.steps.len();
         this.rate = match this.bodies[lead].omega.filter(|_| this.arc_of(this.lead).is_none()) {
             Some(omega) => omega,
             None => {
@@ -408,7 +372,6 @@ impl<'d, 'a> Plane<'d, 'a> {
         if this.scene.is_struck() {
             this.strike()?;
             if this.scene.end == End::AtOnce {
-                this.steps_of[1] = this.steps.len();
                 return Ok(this);
             }
         }
@@ -419,8 +382,9 @@ impl<'d, 'a> Plane<'d, 'a> {
             this.symbols.settle(turned, way, 0.0);
             this.turned = Some(turned);
         }
+        let before = this.steps.len();
         this.act()?;
-        this.steps_of[1] = this.steps.len();
+        this.acted = before..this.steps.len();
         this.hold();
         if let Some(alpha) = this.scene.driven() {
             this.drive(alpha);
@@ -431,14 +395,14 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// The direction in which parallel guides carry the leading body.
     fn gliding(&self) -> Option<[f64; 2]> {
-        Layout::new(self.scene, &Numbers::<f64>::new(self.scene, &self.values))?.glide()
+        Layout::new(self.scene, &self.numbers())?.glide()
     }
 
     /// The velocity at which parallel guides carry it, to the right (0) or up (1).
     fn glide_to(&mut self, i: usize) -> Option<Expr> {
         let (speed, [c, s]) = (self.glides.clone()?, self.gliding()?);
         let unit = match self.scene.joints.iter().find_map(|j| j.kind.line()) {
-            Some(guide) => vector(&self.direction(guide.direction_deg)),
+            Some(guide) => self.direction(guide.direction_deg),
             // It goes across the light rods or cords that hold it.
             None => left(&self.holds.first()?.pulls[0].along),
         };
@@ -476,7 +440,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             false => self.named(&[tagged(plane, &plain)], "N"),
         });
         self.j = Some(about);
-        let (up, name) = (self.turns[0].from[1] > 0.0, format!("${name}$"));
+        let up = self.value(&self.unturned_axis(0)[1].expr()) > 0.0;
+        let name = format!("${name}$");
         self.pivot = Some(Pivot { name, h, own, about, force, radial, up, place });
     }
 
@@ -520,10 +485,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.first = self.first.over(&per);
         if self.value(&self.first).is_finite() { Ok(()) } else { unfound() }
     }
+    /// The numbers of the scene.
+    fn numbers(&self) -> Numbers<'_, f64> {
+        Numbers::new(self.scene, &self.values)
+    }
     /// Where all bodies are when the leading angle has changed by this, rad, in numbers.
     fn poses(&self, way: f64, at_start: bool) -> Option<Poses<Jet<f64>>> {
-        let numbers = Numbers::<f64>::new(self.scene, &self.values);
-        Layout::new(self.scene, &numbers)?.poses::<Jet<f64>>(way, at_start)
+        Layout::new(self.scene, &self.numbers())?.poses::<Jet<f64>>(way, at_start)
     }
 
     fn read_bodies(&mut self) {
@@ -562,7 +530,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 alpha,
                 v,
                 omega,
-                origin: [Line::default(), Line::default()],
+                origin: Vector::default(),
                 turn: None,
             });
         }
@@ -599,20 +567,20 @@ impl<'d, 'a> Plane<'d, 'a> {
         let place = place.unwrap_or([Place::At(Num::Fixed(0.0)); 2]);
         place.map(|p| self.length(spot.body, &tag, p).factors())
     }
-    fn ground(&mut self, place: [Num; 2]) -> Point {
+    fn ground(&mut self, place: [Num; 2]) -> Vector {
         let [x, y] = [self.symbol(place[0], "x_0", "m"), self.symbol(place[1], "y_0", "m")];
-        [x, y].map(|e| Line::fixed(Sum::of(e.terms().iter().map(Factors::of))))
+        [x, y].map(|e| Sum::of(e.terms().iter().map(Factors::of)))
     }
     /// A unit vector along a direction.
-    pub fn direction(&mut self, degrees: Num) -> [Factors; 2] {
+    pub fn direction(&mut self, degrees: Num) -> Vector {
         if let Num::Fixed(x) = degrees
             && x % 90.0 == 0.0
         {
             let (s, c) = trig::sin_cos_of_degrees(x);
-            return [c, s].map(sign);
+            return [c, s].map(|x| Sum::one(sign(x)));
         }
         let angle = self.number(degrees, r"\delta", "deg");
-        [cosine(&angle), sine(angle)].map(|e| e.factors())
+        [cosine(&angle), sine(angle)].map(Sum::one)
     }
 
     /// The direction of a line, which a body may carry.
@@ -620,95 +588,95 @@ impl<'d, 'a> Plane<'d, 'a> {
         let unit = self.direction(line.direction_deg);
         match line.on {
             Some(on) => self.turned_with(on.body, &unit, self.here),
-            None => vector(&unit),
+            None => unit,
         }
     }
     /// A direction that counts from the axis of a body.
-    fn turned_with(&mut self, body: usize, [c, s]: &[Factors; 2], which: usize) -> Vector {
+    fn turned_with(&mut self, body: usize, [c, s]: &Vector, which: usize) -> Vector {
         let axis = self.axis_of(body);
         let axis = self.places(&axis, which);
-        let across = left(&axis);
-        [0, 1].map(|i| axis[i].times(c).plus(&across[i].times(s)))
+        plus(&along(c, &axis), &along(s, &left(&axis)))
     }
 
     // -- places ---------------------------------------------------------------------------------------------------------
 
+    /// A new angle, by which the axis of a body turns from where it is at 0.
     fn add_turn(&mut self, body: usize, at: [Expr; 2], rate: [Expr; 2]) -> usize {
-        let it = &self.bodies[body];
-        let from = self.scene.planar(body).map_or([1.0, 0.0], |p| p.from.components());
-        let sense = if it.clockwise { -1.0 } else { 1.0 };
-        let (across, tag) = ([-from[1] * sense, from[0] * sense], it.tag.clone());
-        self.turns.push(Turn { at, rate, from, across, tag, link: None, slides: false });
+        let from = self.unturned_axis(body);
+        self.push_turn(at, rate, from, self.sense_of(body), self.bodies[body].tag.clone())
+    }
+    fn push_turn(&mut self, at: [Expr; 2], rate: [Expr; 2], from: Vector, sense: i8, tag: String) -> usize {
+        let [angle, way] = ["", ""].map(|name| self.unknown(name, "rad"));
+        let [ahead, aside] = [cosine(angle), sine(angle)].map(Factors::from);
+        let axis = from_axis(&from, &[ahead, aside.signed(sense)]);
+        self.turns.push(Turn { at, angle, way, rate, axis, tag, link: None, slides: false });
         self.turns.len() - 1
     }
-    fn axis(&self, turn: usize) -> Point {
-        let t = &self.turns[turn];
-        [0, 1].map(|i| {
-            let all = [(t.from[i], Wave::Cosine), (t.across[i], Wave::Sine)];
-            let waves = all.into_iter().filter(|(x, _)| *x != 0.0).map(|(x, wave)| (sign(x), turn, wave));
-            Line { fixed: Sum::default(), waves: waves.collect() }
-        })
+    /// From where the angle of a body counts.
+    fn unturned_axis(&self, body: usize) -> Vector {
+        let from = self.scene.planar(body).map_or([1.0, 0.0], |p| p.from.components());
+        from.map(|x| Sum::one(sign(x)))
     }
-    fn axis_of(&self, body: usize) -> Point {
-        match self.bodies[body].turn {
-            Some(turn) => self.axis(turn),
-            None => {
-                let from = self.scene.planar(body).map_or([1.0, 0.0], |p| p.from.components());
-                from.map(|x| Line::fixed(Sum::one(sign(x))))
-            }
-        }
+    fn axis(&self, turn: usize) -> Vector {
+        self.turns[turn].axis.clone()
     }
-    fn point(&self, body: usize, at: &[Factors; 2]) -> Point {
+    fn axis_of(&self, body: usize) -> Vector {
+        self.bodies[body].turn.map_or_else(|| self.unturned_axis(body), |turn| self.axis(turn))
+    }
+    fn point(&self, body: usize, at: &[Factors; 2]) -> Vector {
         plus(&self.bodies[body].origin, &from_axis(&self.axis_of(body), at))
     }
-    pub fn centre(&self, body: usize) -> Point {
+    pub fn centre(&self, body: usize) -> Vector {
         self.point(body, &[self.bodies[body].centre.clone(), Factors::zero()])
     }
-    pub fn spot(&mut self, spot: Spot) -> Point {
+    pub fn spot(&mut self, spot: Spot) -> Vector {
         let distance = self.of_spot(spot);
         self.point(spot.body, &distance)
     }
-    /// A cosine or sine of an angle, or its first or second derivative by the leading one.
-    fn wave(&self, turn: usize, wave: Wave, which: usize, order: u32) -> Factors {
-        let Turn { at, rate, .. } = &self.turns[turn];
-        let sines = (wave == Wave::Sine) == (order != 1);
-        let falls = order == 2 || order == 1 && wave == Wave::Cosine;
-        let value = if sines { sine(&at[which]) } else { cosine(&at[which]) };
-        power(rate[which].clone(), order).factors().times(value).signed(if falls { -1 } else { 1 })
+    /// With the angles as they are at the start or at the place that is asked.
+    fn placed(&self, of: &Sum, which: usize) -> Sum {
+        self.turns.iter().fold(of.clone(), |all, turn| all.put(turn.angle, &turn.at[which]))
     }
     /// A coordinate at the start or at the place that is asked.
-    fn at(&mut self, line: &Line, which: usize) -> Sum {
-        let waves = line.waves.iter().map(|(size, turn, wave)| match wave {
-            Wave::Way if which == START => Factors::zero(),
-            // What rolls by rolling keeps its ratio to the leading wheel.
-            Wave::Way => size.times(self.turned()).times(&self.turns[*turn].rate[END]),
-            Wave::Slide => size.times(&self.turns[*turn].at[which]),
-            _ => size.times(self.wave(*turn, *wave, which, 0)),
-        });
-        let waves = waves.collect();
-        line.fixed.plus(&waves)
+    fn at(&mut self, of: &Sum, which: usize) -> Sum {
+        let mut all = self.placed(of, which);
+        for turn in self.turns.clone() {
+            if all.terms().iter().any(|t| t.expr().uses().contains(&turn.way)) {
+                let way = match which {
+                    _ if turn.slides => turn.at[which].clone(),
+                    START => ZERO,
+                    // What rolls by rolling keeps its ratio to the leading wheel.
+                    _ => self.turned().by(&turn.rate[END]),
+                };
+                all = all.put(turn.way, &way);
+            }
+        }
+        all
     }
     /// By how much it grows on the way.
-    fn change(&mut self, line: &Line) -> Sum {
-        self.at(line, END).plus(&self.at(line, START).opposite())
+    fn change(&mut self, of: &Sum) -> Sum {
+        self.at(of, END).less(&self.at(of, START))
+    }
+    /// Its derivative by the leading angle.
+    fn derivative(&self, of: &Sum, which: usize) -> Sum {
+        let turns = self.turns.iter().flat_map(|t| [(t.angle, &t.rate[which]), (t.way, &t.rate[which])]);
+        let turns: Vec<(SymbolId, &Expr)> = turns.collect();
+        let slopes = of.terms().iter().flat_map(|t| turns.iter().map(|(s, rate)| t.slope(*s).times(*rate)));
+        slopes.sum()
     }
     /// Its rate, per unit rate of the leading angle.
-    fn rate(&self, line: &Line, which: usize) -> Sum {
-        Sum::of(line.waves.iter().map(|(size, turn, wave)| match wave {
-            Wave::Way | Wave::Slide => size.times(&self.turns[*turn].rate[which]),
-            _ => size.times(self.wave(*turn, *wave, which, 1)),
-        }))
+    fn rate(&self, of: &Sum, which: usize) -> Sum {
+        self.placed(&self.derivative(of, which), which)
     }
     /// What its second derivative has per square of the leading rate, of one leading angle alone.
-    fn bend(&self, line: &Line) -> Sum {
-        let waves = line.waves.iter().filter(|w| !matches!(w.2, Wave::Way | Wave::Slide));
-        Sum::of(waves.map(|(size, turn, wave)| size.times(self.wave(*turn, *wave, END, 2))))
+    fn bend(&self, of: &Sum) -> Sum {
+        self.rate(&self.derivative(of, END), END)
     }
-    pub fn places(&mut self, point: &Point, which: usize) -> Vector {
-        [self.at(&point[0], which), self.at(&point[1], which)]
+    pub fn places(&mut self, point: &Vector, which: usize) -> Vector {
+        point.each_ref().map(|x| self.at(x, which))
     }
-    fn rates(&self, point: &Point, which: usize) -> Vector {
-        [self.rate(&point[0], which), self.rate(&point[1], which)]
+    fn rates(&self, point: &Vector, which: usize) -> Vector {
+        point.each_ref().map(|x| self.rate(x, which))
     }
     /// The directions in which forces are told, at the asked place: to the right and up; of a body on a pin toward the pin and
     /// across, with a growing angle.
@@ -723,12 +691,9 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     /// Toward the pin from the mass centre, and across with a growing angle.
     fn circle(&self) -> [Vector; 2] {
-        let Turn { from, across, .. } = &self.turns[0];
-        let axis = |order| {
-            let of = |share: f64, wave| sign(share).times(self.wave(0, wave, self.here, order));
-            [0, 1].map(|i| Sum::of([of(from[i], Wave::Cosine), of(across[i], Wave::Sine)]))
-        };
-        [axis(0).map(|x| x.opposite()), axis(1)]
+        let axis = self.axis(0);
+        let out = axis.each_ref().map(|x| self.placed(x, self.here));
+        [out.map(|x| x.opposite()), self.rates(&axis, self.here)]
     }
     /// A vector, right and up, in these directions.
     pub fn frame(&self, v: &Vector) -> Vector {
@@ -748,7 +713,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// The point of a body that is held at a known place.
-    fn held(&mut self, body: usize, placed: &[bool]) -> Option<([Factors; 2], Point)> {
+    fn held(&mut self, body: usize, placed: &[bool]) -> Option<([Factors; 2], Vector)> {
         let (own, place) = self.scene.joints.iter().find_map(|joint| match joint.kind {
             JointKind::Pin { at, place_m } if at.body == body => Some((at, self.ground(place_m))),
             _ => {
@@ -759,14 +724,14 @@ impl<'d, 'a> Plane<'d, 'a> {
         Some((self.of_spot(own), place))
     }
     /// Points of a body that are guided, itself or by a slider that is hinged there: a place on the line and its direction.
-    fn guided(&mut self, body: usize, placed: &[bool]) -> Vec<([Factors; 2], Point, [Factors; 2])> {
+    fn guided(&mut self, body: usize, placed: &[bool]) -> Vec<([Factors; 2], Vector, Vector)> {
         let scene = self.scene;
         let mut all = Vec::new();
         let fixed = scene.joints.iter().filter(|j| j.kind.carrier().is_none());
         for (at, radius_m, surface) in fixed.filter_map(|j| j.kind.surface()) {
             let Surface::Line(Straight { through_m, direction_deg, .. }) = surface else { continue };
             let (unit, radius) = (self.direction(direction_deg), self.number(radius_m, "r", "m"));
-            let off = along(&Line::fixed(Sum::one(&radius)), &left_of(&unit));
+            let off = along(&Sum::one(&radius), &left(&unit));
             let through = plus(&self.ground(through_m), &off);
             let slider = |guided: Spot| {
                 (!placed[guided.body]).then_some(())?;
@@ -782,7 +747,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         all
     }
     /// The line on which a body rolls: its centre along the axis, a place on the line, its direction, the radius.
-    fn rolls(&mut self, body: usize) -> Option<([Factors; 2], Point, [Factors; 2], Factors)> {
+    fn rolls(&mut self, body: usize) -> Option<([Factors; 2], Vector, Vector, Factors)> {
         let scene = self.scene;
         scene.joints.iter().find_map(|j| match j.kind {
             JointKind::Contact {
@@ -801,7 +766,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         })
     }
     /// The axis of the cylinder on which a body rolls or meshes, and how fast it turns per moment of its centre's speed about that axis.
-    fn circles(&mut self, body: usize) -> Option<(Point, Factors)> {
+    fn circles(&mut self, body: usize) -> Option<(Vector, Factors)> {
         let (_, own, centre, arc, inside, _) = self.arc_of(body).filter(|(.., rolls)| *rolls)?;
         let [own, arc] = self.radii(own, arc);
         let around = inside && self.value(&arc.expr()) < self.value(&own.expr());
@@ -864,7 +829,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     /// The angle of a light rod or a cord, from its fixed place to the point that it holds, and its length: that at the start.
     fn link(&mut self, (at, place, joint): (Spot, [Num; 2], usize)) -> Option<(usize, Factors)> {
-        let numbers = Numbers::<f64>::new(self.scene, &self.values);
+        let numbers = self.numbers();
         let ([x, y], own) = (pose::ground(&numbers, place), pose::of_spot(self.scene, &numbers, at));
         let degrees = self.both_poses()?.map(|poses| {
             let [u, w] = poses[at.body].point(own).map(|c| c.value);
@@ -887,17 +852,18 @@ impl<'d, 'a> Plane<'d, 'a> {
             is => self.page.find(&[tagged(r"\ell", &plain)], "m", is),
         };
         let tag = if plain.is_empty() { r"\ell".to_owned() } else { plain };
-        let at = self.free_angle(&tag, degrees);
-        let (from, across, link) = ([1.0, 0.0], [0.0, 1.0], Some((joint, length)));
-        self.turns.push(Turn { at, rate: [ONE, ONE], from, across, tag, link, slides: false });
-        Some((self.turns.len() - 1, Factors::of(&length.into())))
+        let at = self.free_angle(&tag, degrees, true);
+        let [right, _] = axes();
+        let turn = self.push_turn(at, [ONE, ONE], right, 1, tag);
+        self.turns[turn].link = Some((joint, length));
+        Some((turn, length.into()))
     }
     /// The angle of what leads this joint's point on a circle.
     fn linked(&self, joint: usize) -> Option<usize> {
         self.turns.iter().position(|t| t.link.is_some_and(|(of, _)| of == joint))
     }
     /// Places the leading body, whose angle is known, where a light rod or a cord holds it, and a guide or another one of them.
-    fn place_on_links(&mut self, body: usize, axis: &Point) -> Option<()> {
+    fn place_on_links(&mut self, body: usize, axis: &Vector) -> Option<()> {
         let links = self.links(body);
         if let Some(place) = self.scene.planar(body)?.origin_m {
             self.bodies[body].origin = self.ground(place);
@@ -921,29 +887,29 @@ impl<'d, 'a> Plane<'d, 'a> {
         Some(())
     }
     /// What goes on the way, with what the angle of its own adds to it, stays on a line: this ties the angle, and gives its rate.
-    fn slide(&mut self, turn: usize, way: &Point, own: &Point, (through, unit): (&Point, &[Factors; 2])) {
-        let normal = left_of(unit);
-        self.tie(&dot(&plus(way, own), &normal), &dot(through, &normal));
-        self.keep_up(turn, [way, own], |_, _| (vector(&normal), Sum::default()));
+    fn slide(&mut self, turn: usize, way: &Vector, own: &Vector, (through, unit): (&Vector, &Vector)) {
+        let normal = left(unit);
+        self.tie(&product(&plus(way, own), &normal), &product(through, &normal));
+        self.keep_up(turn, [way, own], |_, _| (normal.clone(), Sum::default()));
     }
     /// Gives an angle its rate: what goes on the way, with what the angle adds to it, goes along a direction as fast as this says.
     fn keep_up(
         &mut self,
         turn: usize,
-        [way, own]: [&Point; 2],
+        [way, own]: [&Vector; 2],
         along: impl Fn(&mut Self, usize) -> (Vector, Sum),
     ) {
         self.ratio(turn, |this, which| {
             let (unit, speed) = along(this, which);
-            let behind = speed.plus(&product(&this.rates(way, which), &unit).opposite());
+            let behind = speed.less(&product(&this.rates(way, which), &unit));
             behind.expr().over(product(&this.rates(own, which), &unit).expr())
         });
     }
     /// What goes on the way, with what one angle adds, meets what another one adds: this ties both, and gives their rates. Along one
     /// of the two rods the other end of that rod does not move it.
-    fn close(&mut self, apart: &Point, (first, one): (usize, &Point), (second, two): (usize, &Point)) {
+    fn close(&mut self, apart: &Vector, (first, one): (usize, &Vector), (second, two): (usize, &Vector)) {
         for line in &less(&plus(apart, one), two) {
-            self.tie(line, &Line::default());
+            self.tie(line, &Sum::default());
         }
         for (turn, own, across, sense) in [(first, one, two, -1), (second, two, one, 1)] {
             self.ratio(turn, |this, which| {
@@ -956,7 +922,7 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// The change of the leading angle in degrees that the key has, with its sign.
     fn way_of_key(&self) -> Option<f64> {
-        let numbers = Numbers::<f64>::new(self.scene, &self.values);
+        let numbers = self.numbers();
         let per_way = Layout::new(self.scene, &numbers)?.turned(1.0);
         let way = self.key(of_body(Quantity::Phi, self.lead))? / per_way;
         let [force, ..] = self.balance_after(0.0)?;
@@ -967,7 +933,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Force, inertia and bend of the balance of work `J q'' + B q'^2 = Q` where the leading angle has changed by this, rad: as that
     /// method has them.
     pub fn balance_after(&self, way: f64) -> Option<[f64; 3]> {
-        energy::joined::balance_after(self.scene, &Numbers::new(self.scene, &self.values), way)
+        energy::joined::balance_after(self.scene, &self.numbers(), way)
     }
     /// By how much the leading angle has changed at the asked place, rad.
     pub fn way(&self) -> f64 {
@@ -994,7 +960,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// Puts a body so that this point of it is at this place.
-    fn put(&mut self, body: usize, at: &[Factors; 2], place: &Point) {
+    fn put(&mut self, body: usize, at: &[Factors; 2], place: &Vector) {
         self.bodies[body].origin = less(place, &from_axis(&self.axis_of(body), at));
     }
 
@@ -1038,10 +1004,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         let rolls = if held.is_none() { self.rolls(body) } else { None };
         let origin = planar.origin_m.map(|place| self.ground(place));
         if let Some((at, through, unit, radius)) = rolls {
-            let start = origin.map_or_else(Line::default, |o| dot(&less(&o, &through), &unit));
-            let sense = Factors::one().signed(if planar.clockwise { 1 } else { -1 });
-            let way = Line { fixed: Sum::default(), waves: vec![(radius.times(sense), turn, Wave::Way)] };
-            let off = along(&Line::fixed(Sum::one(&radius)), &left_of(&unit));
+            let start = origin.map_or_else(Sum::default, |o| product(&less(&o, &through), &unit));
+            let way = Sum::one(radius.times(self.turns[turn].way).signed(-self.sense_of(body)));
+            let off = along(&Sum::one(&radius), &left(&unit));
             let centre = plus(&plus(&through, &along(&start.plus(&way), &unit)), &off);
             self.put(body, &at, &centre);
             return Ok(());
@@ -1057,27 +1022,26 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.bodies[body].origin = match (held, &guided[..], origin) {
             (Some((at, place)), ..) => less(&place, &from_axis(&axis, &at)),
             (None, [one, other, ..], _) if one.2 != other.2 => {
-                let row = |(at, through, unit): &([Factors; 2], Point, [Factors; 2])| {
-                    let normal = left_of(unit);
-                    let right = dot(through, &normal).less(&dot(&from_axis(&axis, at), &normal));
+                let row = |(at, through, unit): &([Factors; 2], Vector, Vector)| {
+                    let normal = left(unit);
+                    let right = product(&less(through, &from_axis(&axis, at)), &normal);
                     (normal, right)
                 };
                 let ((p, a), (q, b)) = (row(one), row(other));
-                let area = cross(&vector(&p), &vector(&q)).expr().factors();
-                let one = Factors::one().per(&area);
-                let x = a.times(&q[1]).less(&b.times(&p[1])).times(&one);
-                [x, b.times(&p[0]).less(&a.times(&q[0])).times(&one)]
+                let one = Factors::one().per(cross(&p, &q).expr());
+                let both = less(&along(&b, &p), &along(&a, &q));
+                [both[1].opposite(), both[0].clone()].map(|x| x.times(&one))
             }
             (None, [(at, through, unit)], origin) => {
                 // Nothing moves the mass centre along the line.
                 self.open = scene.drifts().is_none();
                 let placed = origin.is_some() && scene.end == End::AtOnce;
-                let start = origin.map_or_else(Line::default, |o| dot(&less(&o, through), unit));
-                let across = dot(&from_axis(&axis, at), &left_of(unit)).times(&Factors::one().opposite());
+                let start = origin.map_or_else(Sum::default, |o| product(&less(&o, through), unit));
+                let across = product(&from_axis(&axis, at), &left(unit)).opposite();
                 // At an instant its axis begins where it is placed.
-                let centre = dot(&axis, unit).times(&self.bodies[body].centre);
+                let centre = product(&axis, unit).times(&self.bodies[body].centre);
                 let ahead = if placed { start } else { start.less(&centre) };
-                plus(through, &plus(&along(&ahead, unit), &along(&across, &left_of(unit))))
+                plus(through, &plus(&along(&ahead, unit), &along(&across, &left(unit))))
             }
             (None, _, Some(place)) if scene.end == End::AtOnce => {
                 self.open = true;
@@ -1141,7 +1105,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
         if let Some(to) = self.welded(body, placed) {
             let Some(other) = self.bodies[to].turn else { return unfound() };
-            let turn = self.free_turn(body, angles);
+            let turn = self.free_turn(body, angles, false);
             let same = self.bodies[body].clockwise == self.bodies[to].clockwise;
             self.turns[turn].rate = self.turns[other].rate.clone().map(|r| signed(r, same));
             self.put(body, &at, &place);
@@ -1163,23 +1127,17 @@ impl<'d, 'a> Plane<'d, 'a> {
             if moves {
                 return Ok(false);
             }
-            // One that lies along the direction from which it counts needs no letter.
-            let level = angles.iter().all(|all| all[body].abs() < NOTHING.to_degrees());
-            let turn = match level {
-                true => self.add_turn(body, [ZERO, ZERO], [ZERO, ZERO]),
-                false => self.free_turn(body, angles),
-            };
-            self.bodies[body].turn = Some(turn);
+            let turn = self.free_turn(body, angles, false);
             self.turns[turn].rate = [ZERO, ZERO];
             self.put(body, &at, &place);
             return Ok(true);
         }
-        let turn = self.free_turn(body, angles);
+        let turn = self.free_turn(body, angles, track.is_none() && circle.is_none());
         self.put(body, &at, &place);
         if let Some((_, _, unit, radius)) = track {
             self.ratio(turn, |this, which| {
                 let ahead = this.rates(&place, which);
-                let ahead = product(&ahead, &vector(&unit)).times(Factors::one().per(&radius));
+                let ahead = product(&ahead, &unit).times(Factors::one().per(&radius));
                 if planar.clockwise { ahead.expr() } else { ahead.opposite().expr() }
             });
         } else if let Some((axis, per)) = circle {
@@ -1193,7 +1151,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         } else if let Some((own, other, far)) = pair {
             placed[other.body] = true;
             let own = between(&self.of_spot(own), &at);
-            let second = self.free_turn(other.body, angles);
+            let second = self.free_turn(other.body, angles, true);
             let to = between(&self.of_spot(other), &far.0);
             self.put(other.body, &far.0, &far.1);
             let ends = [from_axis(&self.axis(turn), &own), from_axis(&self.axis(second), &to)];
@@ -1204,83 +1162,78 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// Places a body that is guided without turning, in whose slot a point of another body is, as a Scotch yoke.
     fn slotted(&mut self, body: usize, placed: &[bool]) -> bool {
-        let scene = self.scene;
-        let slot = scene.joints.iter().find_map(|joint| {
-            let (at, radius, surface) = joint.kind.surface().filter(|_| !joint.kind.rolls()[0])?;
-            let Surface::Line(line) = surface else { return None };
-            let on = line.on.filter(|on| on.body == body && placed[at.body])?;
-            Some((at, radius, line, on))
-        });
+        let slot = self.line_on(false, |at, on| on.body == body && placed[at.body]);
         let guided = self.guided(body, placed).into_iter().next();
         let (Some((at, radius, line, on)), Some((own, through, unit)), false) =
-            (slot, guided, scene.bodies[body].turns)
+            (slot, guided, self.scene.bodies[body].turns)
         else {
             return false;
         };
-        let normal = left(&self.line(line)).map(|x| x.expr().factors());
-        let radius = Line::fixed(Sum::one(self.number(radius, "r", "m")));
+        let normal = left(&self.line(line));
+        let radius = Sum::one(self.number(radius, "r", "m"));
         let (point, on) = (self.spot(at), self.of_spot(on));
         let within = from_axis(&self.axis_of(body), &between(&own, &on));
-        let apart = dot(&plus(&less(&point, &through), &within), &normal).less(&radius);
-        let per = product(&vector(&unit), &vector(&normal)).expr();
-        let place = plus(&through, &along(&apart.times(&Factors::one().per(&per)), &unit));
+        let apart = product(&plus(&less(&point, &through), &within), &normal).less(&radius);
+        let per = Factors::one().per(product(&unit, &normal).expr());
+        let place = plus(&through, &along(&apart.times(per), &unit));
         self.put(body, &own, &place);
         true
     }
-    /// The line of a joint at which a wheel rolls on a body: the wheel's centre, its radius, the line.
-    fn rolled_on(&self, which: impl Fn(Spot, Spot) -> bool) -> Option<(Spot, Num, Straight)> {
-        self.scene.joints.iter().filter(|joint| joint.kind.rolls()[0]).find_map(|joint| {
-            let (at, radius, surface) = joint.kind.surface()?;
+    /// The line of a body on which a wheel rolls or a point slides: the wheel's centre, its radius, the line, a point of the body.
+    fn line_on(
+        &self,
+        rolls: bool,
+        which: impl Fn(Spot, Spot) -> bool,
+    ) -> Option<(Spot, Num, Straight, Spot)> {
+        let joints = self.scene.joints.iter().filter(|joint| joint.kind.rolls()[0] == rolls);
+        joints.filter_map(|joint| joint.kind.surface()).find_map(|(at, radius, surface)| {
             let Surface::Line(line) = surface else { return None };
-            which(at, line.on?).then_some((at, radius, line))
+            let on = line.on.filter(|on| which(at, *on))?;
+            Some((at, radius, line, on))
         })
     }
     /// Places a body without a turn that a wheel with a place carries along: a rack in its bed, a plank on rollers.
     fn carried_by_wheel(&mut self, body: usize, placed: &[bool]) -> bool {
-        let wheel = self.rolled_on(|at, on| on.body == body && placed[at.body]);
-        let (Some((at, radius, line)), false) = (wheel, self.scene.bodies[body].turns) else { return false };
-        let (Some(turn), along_line) = (self.bodies[at.body].turn, self.line(line)) else { return false };
+        let wheel = self.line_on(true, |at, on| on.body == body && placed[at.body]);
+        let (Some((at, radius, line, _)), false) = (wheel, self.scene.bodies[body].turns) else {
+            return false;
+        };
+        let (Some(turn), line) = (self.bodies[at.body].turn, self.line(line)) else { return false };
         let guided = self.guided(body, placed).into_iter().next();
-        let line = along_line.map(|x| x.expr().factors());
-        let (own, through, unit) = guided.unwrap_or_else(|| {
-            let none = || [Factors::zero(), Factors::zero()];
-            (none(), [Line::default(), Line::default()], line.clone())
-        });
-        let centre = dot(&self.spot(at), &unit);
-        let first = Line::fixed(self.at(&centre, START));
+        let (own, through, unit) =
+            guided.unwrap_or_else(|| ([Factors::zero(), Factors::zero()], Vector::default(), line.clone()));
+        let centre = product(&self.spot(at), &unit);
+        let first = self.at(&centre, START);
         let placed_at = self.scene.planar(body).and_then(|p| p.origin_m).map(|place| self.ground(place));
         let start = match placed_at {
             Some(origin) => plus(&origin, &from_axis(&self.axis_of(body), &own)),
             // It lies under the wheel.
-            None => plus(&through, &along(&first.less(&dot(&through, &unit)), &unit)),
+            None => plus(&through, &along(&first.less(&product(&through, &unit)), &unit)),
         };
         let radius = self.number(radius, "r", "m").factors();
-        let share = product(&vector(&line), &vector(&unit)).expr().factors();
-        let size = radius.times(share).signed(self.sense_of(at.body));
-        let rolled = Line { fixed: Sum::default(), waves: vec![(size, turn, Wave::Way)] };
-        let way = centre.less(&first).plus(&rolled);
+        let rolled = radius.times(self.turns[turn].way).signed(self.sense_of(at.body));
+        let way = centre.less(&first).plus(&product(&line, &unit).times(rolled));
         self.put(body, &own, &plus(&start, &along(&way, &unit)));
         true
     }
     /// Places a wheel between two lines: it rolls on a fixed one and under a body with a place.
     fn rolls_between(&mut self, body: usize, placed: &[bool], angles: &[Vec<f64>; 2]) -> bool {
-        let upper = self.rolled_on(|at, on| at.body == body && placed[on.body]);
+        let upper = self.line_on(true, |at, on| at.body == body && placed[on.body]);
         let place = self.scene.planar(body).and_then(|p| p.origin_m);
-        let (Some((_, upper, line)), Some(place), Some((at, _, unit, lower))) =
+        let (Some((_, upper, line, on)), Some(place), Some((at, _, unit, lower))) =
             (upper, place, self.rolls(body))
         else {
             return false;
         };
-        let Some(on) = line.on else { return false };
-        let turn = self.free_turn(body, angles);
+        let turn = self.free_turn(body, angles, false);
         let (sense, upper) = (self.sense_of(body), self.number(upper, "r", "m").factors());
-        let share = product(&self.line(line), &vector(&unit)).expr().factors();
+        let share = product(&self.line(line), &unit).expr();
         let per = lower.opposite().plus(&upper.times(share)).signed(sense);
         let carrier = self.spot(on);
         self.ratio(turn, |this, which| {
-            product(&this.rates(&carrier, which), &vector(&unit)).times(Factors::one().per(&per)).expr()
+            product(&this.rates(&carrier, which), &unit).times(Factors::one().per(&per)).expr()
         });
-        let way = Line { fixed: Sum::default(), waves: vec![(lower.signed(-sense), turn, Wave::Way)] };
+        let way = Sum::one(lower.signed(-sense).times(self.turns[turn].way));
         let start = self.ground(place);
         let start = plus(&start, &from_axis(&self.axis_of(body), &at));
         self.put(body, &at, &plus(&start, &along(&way, &unit)));
@@ -1306,7 +1259,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         if self.scene.bodies[body].turns {
             return false;
         }
-        let [x, y] = [0, 1].map(|i| self.value(&through[i].fixed.expr()));
+        let [x, y] = through.each_ref().map(|x| self.value(&x.expr()));
         let [c, s] = unit.each_ref().map(|u| self.value(&u.expr()));
         let offset = own.each_ref().map(|x| self.value(&x.expr()));
         let at = poses.map(|all| {
@@ -1314,22 +1267,10 @@ impl<'d, 'a> Plane<'d, 'a> {
             (u - x) * c + (w - y) * s
         });
         let tag = self.bodies[body].tag.clone();
-        let marks: &[&str] = if self.scene.end == End::AtOnce { &[""] } else { &["0", "1"] };
-        let at: Vec<Expr> = marks
-            .iter()
-            .zip(at)
-            .map(|(mark, at)| {
-                let symbol = self.named(&[tagged("s", &format!("{tag}{mark}"))], "m");
-                self.symbols.settle(symbol, at, 0.0);
-                symbol.into()
-            })
-            .collect();
-        let at = [at[0].clone(), at[at.len() - 1].clone()];
-        let (from, across) = ([0.0; 2], [0.0; 2]);
-        self.turns.push(Turn { at, rate: [ONE, ONE], from, across, tag, link: None, slides: true });
-        let turn = self.turns.len() - 1;
-        let slides = Line { fixed: Sum::default(), waves: vec![(Factors::one(), turn, Wave::Slide)] };
-        let own_way = along(&slides, &unit);
+        let at = self.at_places(at, |this, mark| this.named(&[tagged("s", &format!("{tag}{mark}"))], "m"));
+        let turn = self.push_turn(at, [ONE, ONE], Vector::default(), 1, tag);
+        self.turns[turn].slides = true;
+        let own_way = along(&Sum::one(self.turns[turn].way), &unit);
         self.put(body, &own, &plus(&through, &own_way));
         // The lengths of both straight pieces, and their directions toward the pulley.
         let pieces = ends.map(|(spot, from)| less(&self.ground(from), &self.spot(spot)));
@@ -1346,8 +1287,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         if let [[a, b], [c, d]] = &lengths[..] {
             self.loops.push([a + b, c + d].map(|side| self.tex(&side)));
         }
-        let still = [Line::default(), Line::default()];
-        self.keep_up(turn, [&still, &own_way], |this, which| {
+        self.keep_up(turn, [&Vector::default(), &own_way], |this, which| {
             let own = &lengths[which.min(lengths.len() - 1)];
             let units =
                 [0, 1].map(|i| this.places(&pieces[i], which).map(|x| x.times(Factors::one().per(&own[i]))));
@@ -1361,32 +1301,27 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn turns_in_slot(
         &mut self,
         body: usize,
-        (at, place): (&[Factors; 2], &Point),
+        (at, place): (&[Factors; 2], &Vector),
         placed: &[bool],
         angles: &[Vec<f64>; 2],
     ) -> bool {
-        let slot = self.scene.joints.iter().filter(|joint| !joint.kind.rolls()[0]).find_map(|joint| {
-            let (guided, radius, surface) = joint.kind.surface()?;
-            let Surface::Line(line) = surface else { return None };
-            let on = line.on.filter(|on| on.body == body && placed[guided.body])?;
-            Some((guided, radius, line, on))
-        });
+        let slot = self.line_on(false, |at, on| on.body == body && placed[at.body]);
         let Some((guided, radius, line, on)) = slot else { return false };
-        let turn = self.free_turn(body, angles);
+        let turn = self.free_turn(body, angles, true);
         self.put(body, at, place);
         let (unit, radius) = (self.direction(line.direction_deg), self.number(radius, "r", "m"));
         let (point, through) = (self.spot(guided), self.spot(on));
         let apart = less(&point, &through);
         let normal = left(&self.turned_with(body, &unit, END));
-        let across = product(&self.places(&apart, END), &normal).plus(&Sum::one(&radius).opposite());
+        let across = product(&self.places(&apart, END), &normal).less(&Sum::one(&radius));
         let sides = across.sides();
         self.loops.push(sides.each_ref().map(|side| self.tex(side)));
         let (sense, within) = (self.sense_of(body), less(&through, place));
         self.ratio(turn, |this, which| {
             // Across the slot the point moves as the slot does there.
             let normal = left(&this.turned_with(body, &unit, which));
-            let share = |this: &Self, p: &Point| product(&this.rates(p, which), &normal);
-            let moves = share(this, &point).plus(&share(this, place).opposite());
+            let share = |this: &Self, p: &Vector| product(&this.rates(p, which), &normal);
+            let moves = share(this, &point).less(&share(this, place));
             let swept = cross(&this.places(&apart, which), &normal).signed(sense);
             moves.expr().over(share(this, &within).plus(&swept).expr())
         });
@@ -1396,13 +1331,13 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn turns_on_link(
         &mut self,
         body: usize,
-        (at, place): (&[Factors; 2], &Point),
+        (at, place): (&[Factors; 2], &Vector),
         angles: &[Vec<f64>; 2],
     ) -> Option<()> {
         let of_cord =
             |joint: usize| matches!(self.scene.joints[joint].kind, JointKind::Cord { beyond: None, .. });
         let link = self.links(body).into_iter().find(|(.., joint)| of_cord(*joint))?;
-        let turn = self.free_turn(body, angles);
+        let turn = self.free_turn(body, angles, true);
         self.put(body, at, place);
         let (second, length) = self.link(link)?;
         let (to, far) = (self.of_spot(link.0), self.ground(link.1));
@@ -1418,7 +1353,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// The other rod of a pair, where both are hinged, and where that one is held.
-    fn pair(&mut self, body: usize, placed: &[bool]) -> Option<(Spot, Spot, ([Factors; 2], Point))> {
+    fn pair(&mut self, body: usize, placed: &[bool]) -> Option<(Spot, Spot, ([Factors; 2], Vector))> {
         let scene = self.scene;
         let hinges = scene.joints.iter().filter_map(|j| hinge_of(j, body));
         let mut open = hinges.filter(|(_, to, _)| !placed[to.body] && scene.bodies[to.body].turns);
@@ -1426,33 +1361,37 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// The angle of a body that its joints give; its own rate is 1 until it is known.
-    fn free_turn(&mut self, body: usize, angles: &[Vec<f64>; 2]) -> usize {
+    fn free_turn(&mut self, body: usize, angles: &[Vec<f64>; 2], closes: bool) -> usize {
         let tag = self.bodies[body].tag.clone();
-        let at = self.free_angle(&tag, angles.each_ref().map(|all| all[body]));
+        let at = self.free_angle(&tag, angles.each_ref().map(|all| all[body]), closes);
         let turn = self.add_turn(body, at, [ONE, ONE]);
         self.bodies[body].turn = Some(turn);
         turn
     }
     /// A new angle, at the start and at the asked place, by the next letter.
-    fn free_angle(&mut self, tag: &str, degrees: [f64; 2]) -> [Expr; 2] {
+    fn free_angle(&mut self, tag: &str, degrees: [f64; 2], closes: bool) -> [Expr; 2] {
         let letters = [r"\beta", r"\gamma", r"\psi", r"\chi"];
         let letters: Vec<&str> = letters.into_iter().skip(self.turns.len().saturating_sub(1)).collect();
         let tex = if letters.is_empty() { tagged(r"\psi", tag) } else { self.free(&letters) };
-        let marks: &[&str] = if self.scene.end == End::AtOnce { &[""] } else { &["0", "1"] };
-        let at: Vec<Expr> = marks
-            .iter()
-            .zip(degrees)
-            .map(|(mark, degrees)| {
-                let symbol = self.symbols.given(&tagged(&tex, mark), f64::NAN, "", "", true);
-                self.symbols.settle(symbol, degrees, 0.0);
-                symbol.into()
-            })
-            .collect();
-        [at[0].clone(), at[at.len() - 1].clone()]
+        // One that lies along the direction from which it counts, and closes no loop, needs no letter.
+        if !closes && degrees[self.looked_at()].iter().all(|at| at.abs() < NOTHING.to_degrees()) {
+            return [ZERO, ZERO];
+        }
+        self.at_places(degrees, |this, mark| this.symbols.given(&tagged(&tex, mark), f64::NAN, "", "", true))
     }
-    fn tie(&mut self, line: &Line, right: &Line) {
-        let (left, right) = (self.at(line, END), self.at(right, END));
-        let sides = left.plus(&right.opposite()).sides();
+    /// A quantity with these values at the start and at the asked place, each with a symbol; at an instant with one.
+    fn at_places(&mut self, values: [f64; 2], named: impl Fn(&mut Self, &str) -> SymbolId) -> [Expr; 2] {
+        let mut at = self.looked_at().map(|which| {
+            let symbol = named(self, if self.scene.end == End::AtOnce { "" } else { ["0", "1"][which] });
+            self.symbols.settle(symbol, values[which], 0.0);
+            Expr::from(symbol)
+        });
+        let first = at.next().unwrap_or(ZERO);
+        let last = at.next().unwrap_or_else(|| first.clone());
+        [first, last]
+    }
+    fn tie(&mut self, line: &Sum, right: &Sum) {
+        let sides = self.at(line, END).less(&self.at(right, END)).sides();
         let sides = sides.each_ref().map(|side| self.tex(side));
         self.loops.push(sides);
     }
@@ -1476,12 +1415,12 @@ impl<'d, 'a> Plane<'d, 'a> {
     // -- forces ---------------------------------------------------------------------------------------------------------
 
     /// From the point about which moments are taken to a point of a body, right and up.
-    fn lever(&mut self, body: usize, point: &Point) -> Vector {
+    fn lever(&mut self, body: usize, point: &Vector) -> Vector {
         let about = self.pivot.as_ref().map_or_else(|| self.centre(body), |p| p.place.clone());
         self.places(&less(point, &about), self.here)
     }
     /// A force at a point of a body, along a direction of [`Self::frame`].
-    fn pull(&mut self, body: usize, point: &Point, size: Factors, along: Vector) -> Pull {
+    fn pull(&mut self, body: usize, point: &Vector, size: Factors, along: Vector) -> Pull {
         let lever = self.lever(body, point);
         // Toward the pin and across is a frame of the other hand where the angle grows counter-clockwise.
         let hand = if self.pivot.as_ref().is_some_and(|p| p.radial) { -self.sense_of(body) } else { 1 };
@@ -1490,7 +1429,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// A known force at a point of a body.
-    pub fn add_pull(&mut self, body: usize, point: &Point, size: Factors, along: Vector) {
+    pub fn add_pull(&mut self, body: usize, point: &Vector, size: Factors, along: Vector) {
         let pull = self.pull(body, point, size, along);
         self.pulls.push(pull);
     }
@@ -1507,7 +1446,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 continue;
             }
             let unit = self.direction(push.direction_deg);
-            let along = if push.turns { self.turned_with(push.at.body, &unit, END) } else { vector(&unit) };
+            let along = if push.turns { self.turned_with(push.at.body, &unit, END) } else { unit.clone() };
             let (point, along) = (self.spot(push.at), self.frame(&along));
             let pull = self.pull(push.at.body, &point, size.clone(), along);
             let moment = pull.turn.times(size.signed(self.sense_of(push.at.body))).expr();
@@ -1523,7 +1462,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                     self.page.step(symbol, symbol.into()).into()
                 }
                 (false, _) => {
-                    let line = dot(&self.spot(push.at), &unit);
+                    let line = product(&self.spot(push.at), &unit);
                     size.by(self.change(&line).expr())
                 }
             };
@@ -1555,25 +1494,26 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// Weights, and the apparent forces of what is carried: in proportion to the mass, against a direction.
     fn weigh(&mut self) {
-        let up = (self.g.clone(), [Factors::zero(), Factors::one()], self.bodies.len() > 1);
+        let [_, up] = axes();
+        let up = (self.g.clone(), up, self.bodies.len() > 1);
         let carrier = self.carrier.iter().filter(|c| c.acceleration != ZERO);
-        let carried =
-            carrier.map(|c| (c.acceleration.clone(), c.direction.each_ref().map(Cancel::factors), false));
+        let carried = carrier.map(|c| (c.acceleration.clone(), c.direction.each_ref().map(Sum::one), false));
         let fields: Vec<_> = (!self.scene.lies_level()).then_some(up).into_iter().chain(carried).collect();
         for (rate, unit, named) in fields {
             for body in 0..self.bodies.len() {
                 let (force, centre) = (self.bodies[body].mass.times(&rate), self.centre(body));
-                let against = self.frame(&vector(&unit).map(|x| x.opposite()));
+                let against = self.frame(&unit.each_ref().map(|x| x.opposite()));
                 self.add_pull(body, &centre, force.clone(), against);
                 if self.scene.end == End::AtOnce {
                     continue;
                 }
-                let way = dot(&centre, &unit);
-                let back = self.at(&way, START).plus(&self.at(&way, END).opposite()).expr();
+                let way = product(&centre, &unit);
+                let back = self.at(&way, START).less(&self.at(&way, END)).expr();
                 // A body that is guided along a level does not sink, though its place is told by angles.
                 if self.value(&back).abs() > NOTHING {
                     let tag = self.bodies[body].tag.clone();
                     let back = if named { self.named_by(["h", "H"], &tag, "m", back) } else { back };
+                    self.heights.extend(back.uses().into_iter().filter(|_| named));
                     self.works.push(force.by(&back));
                 }
             }
@@ -1629,7 +1569,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             StrutEnd::Twist => near.clone(),
             StrutEnd::Guide { through_m, direction_deg } => {
                 let (through, unit) = (self.ground(through_m), self.direction(direction_deg));
-                plus(&through, &along(&dot(&less(&near, &through), &unit), &unit))
+                plus(&through, &along(&product(&less(&near, &through), &unit), &unit))
             }
         };
         let apart = less(&far, &near);
@@ -1801,23 +1741,15 @@ impl<'d, 'a> Plane<'d, 'a> {
                         self.holds.push(Hold::of(j, couple, both.collect()));
                     }
                 }
-                JointKind::Guide { at, line, mu_k, .. } => {
-                    let force = named(self, "N", "");
-                    let line = self.line(line);
-                    let normal = self.frame(&left(&line));
-                    self.add_hold(j, force, &[(at, normal)], &[]);
-                    if let Some(mu) = mu_k {
-                        self.rub(j, at, &line, (mu, ZERO.factors()), force);
-                    }
+                JointKind::Guide { .. } => {
+                    let normal = named(self, "N", "");
+                    self.touch(j, [Some(normal), None]);
                 }
-                JointKind::Contact { at, radius_m, surface, rolls, mu_k, teeth } => {
+                JointKind::Contact { rolls, teeth, .. } => {
                     // Teeth press along the rim alone.
                     let normal = (!teeth).then(|| named(self, "N", "n"));
                     let friction = rolls.then(|| named(self, "F", "t"));
-                    let (right, radius) = self.touch(j, [normal, friction], at, radius_m, surface);
-                    if let (Some(mu), Some(normal)) = (mu_k, normal) {
-                        self.rub(j, at, &right, (mu, radius), normal);
-                    }
+                    self.touch(j, [normal, friction]);
                 }
                 JointKind::Cord { at, place_m, beyond, .. } => {
                     let force = named(self, "T", "");
@@ -1869,14 +1801,9 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// A wheel or a point on a surface.
-    fn touch(
-        &mut self,
-        joint: usize,
-        [press, grip]: [Option<SymbolId>; 2],
-        at: Spot,
-        radius_m: Num,
-        surface: Surface,
-    ) -> (Vector, Factors) {
+    fn touch(&mut self, joint: usize, [press, grip]: [Option<SymbolId>; 2]) {
+        let kind = self.scene.joints[joint].kind;
+        let Some((at, radius_m, surface)) = kind.surface() else { return };
         let own = self.number(radius_m, "r", "m").factors();
         let (normal, bend, radius): (Vector, Option<Factors>, Factors) = match surface {
             Surface::Line(line) => (left(&self.line(line)), None, own),
@@ -1891,29 +1818,62 @@ impl<'d, 'a> Plane<'d, 'a> {
                 let sense = Factors::one().signed(if inside { -1 } else { 1 });
                 let turned = inside && self.value(&arc.expr()) < self.value(&own.expr());
                 let radius = if turned { own.opposite() } else { own };
-                let normal = out.map(|x| x.times(sense.per(&apart)));
-                (normal, Some(sense.per(&apart).opposite()), radius)
+                (times(&out, &sense.per(&apart)), Some(sense.per(&apart).opposite()), radius)
             }
         };
-        // Friction is told up the surface; teeth press along the rim alone.
         let right = [normal[1].clone(), normal[0].opposite()];
-        let teeth = press.is_none();
-        let up = if teeth { 1.0 } else { pose::upward(right.each_ref().map(|x| self.value(&x.expr()))) };
-        let sense = if up < 0.0 { -1 } else { 1 };
-        let (along, rim) = (right.each_ref().map(|x| x.signed(sense)), radius.signed(sense));
+        let upward = pose::upward(right.each_ref().map(|x| self.value(&x.expr())));
+        let right = self.frame(&right);
         if let Some(force) = press {
+            let normal = self.frame(&normal);
             self.add_hold(joint, force, &[(at, normal)], bend.as_slice());
         }
         if let Some(force) = grip {
+            // Friction is told up the surface; teeth press along the rim alone.
+            let sense = if press.is_some() && upward < 0.0 { -1 } else { 1 };
+            let along = right.each_ref().map(|x| x.signed(sense));
             self.add_hold(joint, force, &[(at, along)], &[]);
-            let turn = Sum::one(&rim);
-            if let Some(hold) = self.holds.last_mut() {
-                for (pull, sense) in hold.pulls.iter_mut().zip([1, -1]) {
-                    pull.turn = pull.turn.plus(&turn.signed(sense));
-                }
-            }
+            let pulls = self.at_the_rim((joint, at), &force.into(), &right, &radius, sense);
+            self.holds.last_mut().into_iter().for_each(|hold| hold.pulls.clone_from(&pulls));
         }
-        (right, radius)
+        if let (Some(mu), Some(normal)) = (kind.mu_k(), press) {
+            self.rub((joint, at), (&right, upward), (mu, &radius), normal);
+        }
+    }
+
+    /// A force along the surface at the rim of a wheel of this radius, and its opposite on what bears it.
+    fn at_the_rim(
+        &mut self,
+        (joint, at): (usize, Spot),
+        size: &Factors,
+        right: &Vector,
+        radius: &Factors,
+        sense: i8,
+    ) -> Vec<Pull> {
+        let own = (at.body, self.spot(at), radius.signed(sense), sense);
+        let other = self.borne(joint, at);
+        let other = other.map(|(on, point, rim)| (on.body, point, rim.signed(-sense), -sense));
+        let both = [own].into_iter().chain(other).map(|(body, point, rim, sense)| {
+            let along = right.each_ref().map(|x| x.signed(sense));
+            let pull = self.pull(body, &point, size.clone(), along);
+            Pull { turn: pull.turn.plus(&Sum::one(rim)), ..pull }
+        });
+        both.collect()
+    }
+
+    /// What bears the opposite of a force on this point: a point of that body in the line of what presses, and how far below it a force
+    /// along the surface acts. What presses on a cylinder goes through its axis.
+    fn borne(&mut self, joint: usize, at: Spot) -> Option<(Spot, Vector, Factors)> {
+        let kind = self.scene.joints[joint].kind;
+        let on = kind.bearer()?;
+        let (_, radius, surface) = kind.surface()?;
+        Some(match surface {
+            Surface::Line(_) => (on, self.spot(at), self.number(radius, "r", "m").factors()),
+            Surface::Arc { radius_m: arc, inside, .. } => {
+                let rim = self.number(arc, "R", "m").factors();
+                (on, self.spot(on), rim.signed(if inside { 1 } else { -1 }))
+            }
+        })
     }
 
     fn add_hold(&mut self, joint: usize, force: SymbolId, ends: &[(Spot, Vector)], toward: &[Factors]) {
@@ -1938,15 +1898,17 @@ impl<'d, 'a> Plane<'d, 'a> {
                     self.glides.as_ref().map_or(ZERO, |speed| toward.times(speed.factors().squared()).expr());
             }
         }
-        if let (Some(on), [(at, u)]) = (self.scene.joints[joint].kind.bearer(), ends) {
-            let (point, back) = (self.spot(*at), u.each_ref().map(|x| x.signed(-1)));
+        if let [(at, u)] = ends
+            && let Some((on, point, _)) = self.borne(joint, *at)
+        {
+            let back = u.each_ref().map(|x| x.signed(-1));
             if self.moves && self.scene.joints[joint].kind.carrier().is_some() {
                 // The line turns: what is on it has the acceleration of its place there, and that of Coriolis.
                 let (lever, spin) = (self.lever(on.body, &point), self.spin(on.body));
                 let v = self.rates(&less(&point, &self.centre(on.body)), END);
                 let spun = left(&lever).map(|x| x.times(&spin).signed(self.sense_of(on.body)));
                 let along = [u[1].clone(), u[0].opposite()];
-                let slides = product(&[0, 1].map(|i| v[i].plus(&spun[i].opposite())), &along);
+                let slides = product(&less(&v, &spun), &along);
                 inward = inward.plus(&product(&back, &lever).times(square(&spin)));
                 let twice = spin.by(number(2)).factors().signed(self.sense_of(on.body));
                 inward = inward.plus(&slides.times(twice));
@@ -1957,37 +1919,27 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// Friction of a guide, or at the rim of a wheel of this radius, against the sense in which it slides: as the key has it.
-    fn rub(&mut self, joint: usize, at: Spot, line: &Vector, (mu, radius): (Num, Factors), normal: SymbolId) {
+    fn rub(
+        &mut self,
+        (joint, at): (usize, Spot),
+        (right, up): (&Vector, f64),
+        (mu, radius): (Num, &Factors),
+        normal: SymbolId,
+    ) {
         let mu = self.number(mu, r"\mu_k", "1");
         let key = |quantity| self.key(Label { quantity, of: Owner::Joint(joint) });
         let (rubs, presses) = (key(Quantity::Friction).unwrap_or(0.0), key(Quantity::Normal));
-        let up = pose::upward(line.each_ref().map(|x| self.value(&x.expr())));
         // Where guides carry it, as it goes.
         let carried = self.gliding().zip(self.glides.as_ref()).map_or(0.0, |([c, s], speed)| {
-            -self.value(speed) * (c * self.value(&line[0].expr()) + s * self.value(&line[1].expr()))
+            -self.value(speed) * (c * self.value(&right[0].expr()) + s * self.value(&right[1].expr()))
         });
         let way = if carried == 0.0 { rubs * up * presses.map_or(1.0, f64::signum) } else { carried };
         let sense = if way < 0.0 { -1 } else { 1 };
-        let along = line.each_ref().map(|x| x.signed(sense));
-        let point = self.spot(at);
-        let size = mu.factors().times(normal);
-        if let Some(on) = self.scene.joints[joint].kind.bearer() {
-            let back = along.each_ref().map(|x| x.signed(-1));
-            self.add_pull(on.body, &point, size.clone(), back);
-            self.at_the_rim(&radius, -sense);
-        }
-        self.add_pull(at.body, &point, size, along);
-        self.at_the_rim(&radius, sense);
+        let pulls = self.at_the_rim((joint, at), &mu.by(normal).into(), right, radius, sense);
+        self.pulls.extend(pulls);
         let name = tagged("F", &names::joint(self.scene, joint));
         let force = self.named(&[&name], "N");
         self.frictions.push((joint, force, in_sense(mu * normal, f64::from(sense) * up)));
-    }
-
-    /// The last force acts so far below its point, where the wheel about that touches its surface.
-    fn at_the_rim(&mut self, radius: &Factors, sense: i8) {
-        if let Some(pull) = self.pulls.last_mut() {
-            pull.turn = pull.turn.plus(&Sum::one(radius.signed(sense)));
-        }
     }
 
     /// The angular velocity of a body per unit rate of the leading angle, as its own angle counts.
@@ -2173,10 +2125,10 @@ impl<'d, 'a> Plane<'d, 'a> {
     // -- what follows ---------------------------------------------------------------------------------------------------
 
     /// Speed of a point per unit rate of the leading angle, as it is written: without a radical where there is none.
-    fn speed(&self, point: &Point, unit: Option<&[Factors; 2]>) -> Expr {
+    fn speed(&self, point: &Vector, unit: Option<&Vector>) -> Expr {
         let v = self.rates(point, END);
         let is = match (unit, v[0].is_zero(), v[1].is_zero()) {
-            (Some(unit), ..) => product(&v, &vector(unit)).expr(),
+            (Some(unit), ..) => product(&v, unit).expr(),
             (None, true, _) => v[1].expr(),
             (None, false, true) => v[0].expr(),
             (None, false, false) => {
@@ -2190,7 +2142,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         in_sense(is, sense)
     }
     /// The line along which a joint guides a body that does not turn.
-    fn line_of(&mut self, body: usize) -> Option<[Factors; 2]> {
+    fn line_of(&mut self, body: usize) -> Option<Vector> {
         let own = |j: &&Joint| j.kind.surface().is_some_and(|(at, ..)| at.body == body);
         let mut lines = self.scene.joints.iter().filter(own).filter_map(|j| j.kind.line());
         let line = lines.next().filter(|_| !self.scene.bodies[body].turns)?;
@@ -2282,21 +2234,17 @@ impl<'d, 'a> Plane<'d, 'a> {
         {
             return None;
         }
-        let by_rate = bends.plus(&ahead.by(&curve).opposite());
-        let by_rest = ahead.by(&power).plus(&given.opposite());
+        let by_rate = bends.less(&ahead.by(&curve));
+        let by_rest = ahead.by(&power).less(&given);
         let squared = square(&self.first) + sum(self.works.iter().map(|w| w.by(number(2)).over(j)));
         let spread = |sum: &Sum, by: &Expr| {
             let all: Sum = by.terms().into_iter().map(|b| sum.times(&b)).sum();
             all.terms().iter().flat_map(|t| t.spread(symbol)).collect::<Vec<_>>()
         };
-        let shared = |all: Vec<Factors>| {
-            let common = all.iter().skip(1).fold(all.first().cloned()?, |common, t| common.shared(t));
-            Some(all.iter().map(|t| t.per(&common)).collect::<Sum>())
-        };
         let rest = spread(&by_rest, &ONE);
-        let with_rate = shared([spread(&by_rate, &square(self.rate)), rest.clone()].concat())?;
-        let [plus, minus] = with_rate.sides();
-        let whole = shared([spread(&by_rate, &squared), rest].concat())?;
+        let shared = |all: [Vec<Factors>; 2]| Sum::of(all.concat()).primitive(&[]);
+        let [plus, minus] = shared([spread(&by_rate, &square(self.rate)), rest.clone()]).sides();
+        let whole = shared([spread(&by_rate, &squared), rest]);
         let whole = sum(whole.terms().iter().map(Factors::expr));
         let waves = [cosine(symbol), sine(symbol)];
         let (wave, is) =
@@ -2431,37 +2379,27 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Of bodies that are welded into one on a pin: mass centre and moments of inertia, by the theorem of parallel axes.
     fn whole(&mut self, quantity: Quantity) -> Option<Expr> {
         let pin = self.scene.only_pin()?;
-        let place = self.spot(pin);
-        let on_pin = self.of_spot(pin);
-        let lines: Vec<Point> = (0..self.bodies.len()).map(|b| self.centre(b)).collect();
-        let mut at = |point: &Point| [0, 1].map(|i| self.at(&point[i], END).expr());
-        let (place, centres): ([Expr; 2], Vec<[Expr; 2]>) = (at(&place), lines.iter().map(at).collect());
-        let masses: Vec<Expr> = self.bodies.iter().map(|b| b.mass.expr()).collect();
-        let own = |b: usize| sum(self.bodies[b].inertia.iter().map(Factors::expr));
-        if let ([mass], [centre]) = (masses.as_slice(), centres.as_slice()) {
-            let [along, aside] = on_pin.map(|x| x.expr());
-            let apart = square(&(self.bodies[0].centre.expr() - along)) + square(&aside);
-            return Some(match quantity {
-                Quantity::IO => own(0) + mass.by(&apart),
-                Quantity::IG => own(0),
-                Quantity::XG => centre[0].clone(),
-                _ => centre[1].clone(),
-            });
-        }
+        let pin = self.spot(pin);
+        let points: Vec<Vector> = (0..self.bodies.len()).map(|b| self.centre(b)).chain([pin]).collect();
+        let placed = points.iter().map(|point| self.places(point, END));
+        let mut centres: Vec<Vector> = placed.collect();
+        let pin = centres.pop()?;
+        let masses: Vec<Factors> = self.bodies.iter().map(|b| b.mass.clone()).collect();
         let mean = |i: usize| {
-            let moments = masses.iter().zip(&centres).map(|(mass, centre)| mass.by(&centre[i]));
-            sum(moments).over(sum(masses.iter().cloned()))
+            let moments = masses.iter().zip(&centres).map(|(mass, centre)| mass.by(centre[i].expr()));
+            sum(moments).over(sum(masses.iter().map(Factors::expr)))
         };
-        let about = |point: [Expr; 2]| {
-            let moved = centres.iter().enumerate().map(|(b, centre)| {
-                let apart = [0, 1].map(|i| square(&(&centre[i] - point[i].clone())));
-                own(b) + masses[b].by(sum(apart))
+        let about = |point: &Vector| {
+            let moved = self.bodies.iter().zip(&centres).map(|(body, centre)| {
+                let own = sum(body.inertia.iter().map(Factors::expr));
+                own + body.mass.by(square(self.size(&less(centre, point))))
             });
             sum(moved)
         };
         Some(match quantity {
-            Quantity::IO => about(place),
-            Quantity::IG => about([mean(0), mean(1)]),
+            Quantity::IO => about(&pin),
+            Quantity::IG if centres.len() == 1 => about(&centres[0]),
+            Quantity::IG => about(&[mean(0), mean(1)].map(Sum::one)),
             Quantity::XG => mean(0),
             _ => mean(1),
         })
@@ -2484,8 +2422,12 @@ impl<'d, 'a> Plane<'d, 'a> {
             if let (true, Owner::Joint(j)) = (is_impulse(label.quantity), label.of) {
                 return Ok(self.impulse_of(&blow, j, label.quantity));
             }
-            let free = self.scene.end == End::AtOnce && self.pivot.is_none() && blow.from_rest;
-            if free && let Some(found) = self.just_after(&blow, label) {
+            let own = self.pivot.is_none() || label.quantity == Q::KineticEnergy;
+            if own
+                && blow.from_rest
+                && self.scene.end == End::AtOnce
+                && let Some(found) = self.just_after(&blow, label)
+            {
                 return Ok(Some(found));
             }
         }
@@ -2532,12 +2474,6 @@ impl<'d, 'a> Plane<'d, 'a> {
             Q::RotationalFraction => ([r"\eta", r"\beta"], pivot.own.over(about)),
             Q::AngularMomentum => (["L", r"\Lambda"], about.by(of(self, Q::Omega)?)),
             Q::WorkCouple => (["W_{M}", "A_{M}"], self.couple(0, None).by(self.turned())),
-            Q::PowerCouple => {
-                let rate = of(self, Q::Omega)?;
-                let turns = self.symbols.value(rate) != 0.0;
-                let power = self.couple(0, None).by(in_sense(rate.into(), self.sense));
-                ([r"\dot{W}_{M}", r"\dot{A}_{M}"], if turns { power } else { ZERO })
-            }
             Q::OmegaMax => {
                 let height = signed(cosine(&self.turns[0].at[START]), pivot.up);
                 let gained = mgh.times(number(2)).by(ONE + height).over(about);

@@ -12,6 +12,7 @@ use crate::solution::asked;
 use crate::solution::draft::Draft;
 use crate::solution::expr::{Expr, ONE, SymbolId, ZERO, cosine, ratio, signed, sine, square, sum};
 use crate::solution::factors::{Cancel, Factors};
+use crate::solution::order::Eliminated;
 
 /// What brings a force or couple.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -292,65 +293,50 @@ impl Terms {
         }
     }
 
-    /// Velocity ratios from what the ties demand, from body to body; `None` where they do not give all.
+    /// Velocity ratios from what the ties demand; `None` where they do not give all.
     fn ratios(&mut self, draft: &Draft) -> Option<()> {
         let slides = |tie: usize| matches!(draft.scene.ties[tie], Tie::Slide { .. });
         let ties = self.reactions().into_iter().filter(|(tie, _)| !slides(*tie));
         let ties: Vec<Vec<(Coordinate, Factors)>> = ties.map(|(tie, _)| self.tied(tie)).collect();
-        // What one rate of a body makes of the other, where a tie of this body alone says it.
-        let within = |c: Coordinate| {
-            ties.iter().find_map(|terms| match &terms[..] {
-                [(a, x), (b, y)] | [(b, y), (a, x)] if a.body == b.body && *a == c => {
-                    Some((*b, x.per(y).opposite()))
-                }
-                _ => None,
-            })
-        };
-        let free = |c: Coordinate| {
-            let part = &self.parts[c.body];
-            self.of(c).a.is_some() && !(part.slips && c.degree == Degree::Turn)
-        };
-        let both = |c: Coordinate| [Degree::Along, Degree::Turn].map(|degree| Coordinate { degree, ..c });
-        // Of a body that moves along its line and turns, a tie of its own has to say how; where its contact slips, none does.
-        let whole = |c: Coordinate| both(c).into_iter().all(free);
-        let follows = |c: Coordinate, known: &[(Coordinate, Factors)]| {
-            let said =
-                if whole(c) { within(c).is_some() } else { known.iter().all(|(k, _)| k.body != c.body) };
-            free(c) && said
-        };
-        let mut known: Vec<(Coordinate, Factors)> = vec![(self.lead, Factors::one())];
-        loop {
-            let ratio = |c: Coordinate| known.iter().find(|(k, _)| *k == c).map(|(_, ratio)| ratio);
-            let next = ties.iter().find_map(|terms| {
-                let (own, open): (Vec<_>, Vec<_>) = terms.iter().partition(|(c, _)| ratio(*c).is_some());
-                let per = match open[..] {
-                    [(c, share)] if follows(*c, &known) => share.clone(),
-                    [(c, one), (d, two)] if c.body == d.body => one.plus(&two.times(within(*c)?.1)),
-                    _ => return None,
-                };
-                let given = own.iter().filter_map(|(c, share)| Some(ratio(*c)?.times(share)));
-                let given = given.reduce(|sum, term| sum.plus(&term)).filter(|_| !per.is_zero())?;
-                Some((open[0].0, given.per(&per).opposite()))
-            });
-            let Some(next) = next else { break };
-            known.push(next);
+        let rate = |(c, share): &(Coordinate, Factors)| Some(share.times(self.of(*c).a?));
+        let rows = ties.iter().map(|terms| terms.iter().filter_map(rate).collect()).collect();
+        // The spin of a body whose contact slips is a freedom of its own.
+        let tied =
+            |c: &Coordinate| !(self.parts[c.body].slips && c.degree == Degree::Turn) && *c != self.lead;
+        let free = draft.scene.coordinates().filter(tied).filter_map(|c| Some((c, self.of(c).a?)));
+        let free: Vec<(Coordinate, SymbolId)> = free.collect();
+        let Eliminated { found, idle, .. } =
+            draft.eliminate(rows, free.iter().map(|(_, a)| *a).collect(), |_| false)?;
+        let mut known = vec![(self.of(self.lead).a?, Factors::one())];
+        for (symbol, is) in found {
+            let (over, under) =
+                if let Expr::Quotient(over, under) = is { (*over, *under) } else { (is, ONE) };
+            let put = |term: &Expr| {
+                let (of, ratio) = known.iter().find(|(of, _)| term.uses().contains(of))?;
+                Some(ratio.times(term.factors().per(*of)))
+            };
+            let terms: Option<Vec<Factors>> = over.terms().iter().map(put).collect();
+            let ratio = terms?.into_iter().reduce(|sum, term| sum.plus(&term))?;
+            known.push((symbol, ratio.per(under)));
         }
-        // A tie that closes a loop has to hold too.
-        let value = |(c, share): &(Coordinate, Factors)| {
-            let (_, ratio) = known.iter().find(|(k, _)| k == c)?;
-            Some(ratio.times(share).expr().value(&draft.symbols))
+        let ratio = |c: &Coordinate| {
+            let of = known.iter().find(|(of, _)| self.of(*c).a == Some(*of));
+            of.map(|(_, ratio)| ratio)
         };
-        let holds = |terms: &Vec<_>| {
-            let values: Option<Vec<f64>> = terms.iter().map(value).collect();
+        // A tie that closes a loop has to hold too.
+        let holds = |terms: &Vec<(Coordinate, Factors)>| {
+            let value = |(c, share)| Some(ratio(c)?.times(share).expr().value(&draft.symbols));
+            let values: Option<Vec<f64>> = terms.iter().map(|(c, share)| value((c, share))).collect();
             values.is_some_and(|v| {
                 v.iter().sum::<f64>().abs() <= 1e-9 * v.iter().fold(0.0, |most: f64, x| most.max(x.abs()))
             })
         };
-        let open = |c: Coordinate| free(c) && known.iter().all(|(k, _)| *k != c);
-        if draft.scene.coordinates().any(open) || !ties.iter().all(holds) {
+        if !idle.is_empty() || !ties.iter().all(holds) {
             return None;
         }
-        for (c, ratio) in known {
+        let all = [self.lead].into_iter().chain(free.iter().map(|(c, _)| *c));
+        let all: Vec<(Coordinate, Factors)> = all.filter_map(|c| Some((c, ratio(&c)?.clone()))).collect();
+        for (c, ratio) in all {
             let part = &mut self.parts[c.body];
             let of = if c.degree == Degree::Along { &mut part.line } else { &mut part.spin };
             of.ratio = ratio;

@@ -190,7 +190,10 @@ fn pieces(terms: &[Expr], symbols: &Symbols, form: Notation) -> Vec<String> {
 
 fn write_product(factors: &[Expr], symbols: &Symbols, form: Notation, out: &mut String) {
     // Sines last: what follows one could be read as part of its argument.
-    let is_wave = |e: &&Expr| matches!(e, Expr::Of(function, _) if *function != Function::Magnitude);
+    let is_wave = |e: &&Expr| {
+        let base = if let Expr::Power(base, _) = e { base } else { *e };
+        matches!(base, Expr::Of(function, _) if *function != Function::Magnitude)
+    };
     let ordered = factors.iter().filter(|f| !is_wave(f)).chain(factors.iter().filter(is_wave));
     for (i, factor) in ordered.enumerate() {
         if i > 0 {
