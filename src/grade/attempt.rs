@@ -286,6 +286,19 @@ mod tests {
         sorted[i].key.1
     }
 
+    /// Of more attempts than are kept in order one in the middle counted.
+    #[test]
+    fn of_many_attempts_that_earn_nothing_the_last_counts() {
+        let attempts = Attempts { counts: Counts::Best, ..Attempts::default() };
+        for careful in [false, true] {
+            let mut all = Ordered::NONE;
+            for time in (1..=60).rev() {
+                all.add(READABLE, Try { number: time as f64, ..one(time, 0.0) }, depth(&attempts, careful));
+            }
+            assert_eq!(all.decide(&attempts, false).map(|w| w.at), Some(60));
+        }
+    }
+
     proptest! {
         #[test]
         fn any_order_on_any_threads_gives_what_sorting_gives(
