@@ -341,10 +341,11 @@ fn compared(
         let said = second.said_at(i, entry.label);
         let (mut eom, mut energy) = (entry.value(), said.map_or(f64::NAN, |s| s.value.f64() + 0.0));
         // What is 0 on the one road is 0 on the other up to what the rounding of the printed data leaves of its terms. Of joined
-        // bodies that rounding stands in every pose, on both roads.
+        // bodies that rounding stands in every pose, on both roads, and in what is found from a measurement.
         let nothing = |share: f64| [eom, energy].map(|x| vanishes(x, share, entry.scale));
         let joined = scene.lead().is_some() && scene.pinned().is_none();
-        if (joined || nothing(NOISE).contains(&true)) && nothing(8.0 * U) == [true; 2] {
+        let rounded = joined || scene.formulas.found.is_some();
+        if (rounded || nothing(NOISE).contains(&true)) && nothing(8.0 * U) == [true; 2] {
             (eom, energy) = (0.0, 0.0);
             entry.eom = Some(eom);
         }

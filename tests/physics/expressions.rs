@@ -449,6 +449,44 @@ fn what_is_unknown_is_found_from_the_printed_measurement() {
     }
 }
 
+/// A friction that is found to be nothing is nothing on both roads, and so is the coefficient that it needs: by hand
+/// `P (1 - 2 r/R) = m g sin(theta)` for a disc of radius `R` pulled at a hub of radius `r`.
+#[test]
+fn what_is_found_may_leave_nothing() {
+    let text = "
+bank: b
+title: B
+problems:
+  p:
+    title: A disc
+    data:
+      m:     {name: mass, unit: kg, draw: 7 to 9 step 0.5}
+      R:     {name: radius, unit: m, draw: 0.2 to 0.3 step 0.02}
+      theta: {name: slope, unit: deg, draw: 15 to 20 step 1}
+      P:     {name: pull, unit: N, unknown: 30 to 200 step 1}
+      F:     {name: friction, unit: N, draw: always 0, measured: friction}
+    scene:
+      surfaces: {slope: {slope: theta}}
+      bodies: {disc: {mass: m, shape: {disc: R}, radii: {rim: R, hub: 0.3*R}, moves: along slope}}
+      ties:
+        - rolls: {body: disc, on its: rim}
+        - cord: {from: {body: disc, wound on: hub, leaves: top forward}, pulled with: P}
+      start: at rest
+      end: {travel: {of: disc, by: 1 m}}
+    questions: {P: {value: P, unit: N, ask: the pull with which no friction acts}}
+    statement: s
+";
+    let bank = read(text).expect("a bank");
+    for i in 0..20 {
+        let variant = drawn(&bank.problems[0], &format!("s{i}"));
+        let [m, _, theta, .., g] = variant.data[..] else { panic!("the data") };
+        let expected = m * g * theta.to_radians().sin() / 0.4;
+        let key = slipstick::problem::make_key::key(&bank.problems[0], &variant);
+        let slipstick::key::Answer::Number { value, .. } = key.parts[0].answer else { panic!("a number") };
+        assert!((value - expected).abs() < 1e-13 * expected, "{value} {expected}");
+    }
+}
+
 #[test]
 fn what_is_wrong_with_an_inverse_question_is_told() {
     let cases = [

@@ -16,7 +16,7 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 #[cfg(feature = "program")]
 use crate::num::{Lanes, lanes};
-use crate::num::{Real, trig};
+use crate::num::{Real, U, trig};
 use crate::scene::pose;
 use crate::scene::{
     Action, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Label, Law, Made, Numbers, Owner,
@@ -1130,7 +1130,12 @@ impl<'a, T: Real> Walk<'a, T> {
                     let most = forces.iter().map(|f| f.abs()).reduce(T::larger).unwrap_or_else(T::zero);
                     let normal = self.response.normal(*body);
                     if self.scene.bodies[*body].line.is_some_and(|l| l.surface) {
-                        self.say(Quantity::MuRequired, Owner::Body(*body), most.over(normal));
+                        let pulls = places.last().map_or(&[][..], |pulls| pulls);
+                        let forces = self.friction_scale(&self.response, *body, most, pulls);
+                        // Beside nothing but the rounding of its terms it is measured by them.
+                        let nothing = most.size() <= 8.0 * U * forces;
+                        let scale = if nothing { forces } else { most.size() } / normal.size();
+                        self.say_scaled(Quantity::MuRequired, Owner::Body(*body), most.over(normal), scale);
                     }
                     self.hold(|walk| {
                         let force = |f: T| walk.n.publish(Quantity::Friction, f);
