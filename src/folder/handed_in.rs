@@ -5,6 +5,7 @@ use crate::csv_field::{self, unguarded};
 use crate::finding::Finding;
 use crate::folder::{files, names};
 use crate::sheet::terminal;
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{Cursor, Read};
 use std::path::Path;
@@ -37,6 +38,8 @@ pub struct JoinedFiles {
     pub passed_over: Vec<(String, &'static str)>,
     /// Files that are named for one student and hold answers of others: their names, and those students.
     pub of_others: Vec<(String, String)>,
+    /// Students whose answers several people handed in, as far as names of files and folders tell, and these names.
+    pub by_several: Vec<(String, String)>,
 }
 
 /// Files listed one by one before the rest is only counted.
@@ -49,7 +52,11 @@ impl JoinedFiles {
         text.push_str(&self.reasons());
         let others = self.of_others.iter();
         let others = others.map(|(name, students)| format!("look at: {name} holds answers of {students}"));
-        text + &below(others)
+        let several = self.by_several.iter();
+        let several = several.map(|(student, files)| {
+            format!("look at: answers of {student} stand in files of several people: {files}")
+        });
+        text + &below(others) + &below(several)
     }
     /// Which files are none of answers, line by line.
     fn reasons(&self) -> String {
@@ -84,7 +91,7 @@ pub fn joined(path: &Path, set: &str) -> Result<JoinedFiles, Finding> {
         return Err(fault.hint(HINT));
     }
     let mut all = JoinedFiles::default();
-    let mut read: Vec<(String, String, Vec<[String; 4]>)> = Vec::new();
+    let mut read: Vec<ReadFile> = Vec::new();
     for (name, bytes) in found {
         match bytes.and_then(|bytes| answers(&bytes, set)) {
             Ok((saved, rows)) => read.push((saved, name, rows)),
@@ -110,9 +117,36 @@ pub fn joined(path: &Path, set: &str) -> Result<JoinedFiles, Finding> {
             all.of_others.push((name.clone(), students));
         }
     }
+    all.by_several = by_several(&read);
     all.text = joined.into_inner().unwrap_or_default();
     all.files = read.len();
     Ok(all)
+}
+
+/// When a file of answers was saved, its name and its rows.
+type ReadFile = (String, String, Vec<[String; 4]>);
+
+/// Whose file it is: what a platform calls the folder of a student, or else the name of the file, which a browser may have numbered.
+fn owner(name: &str) -> &str {
+    let (folder, file) = name.rsplit_once(['/', '\\']).unwrap_or(("", name));
+    if folder.is_empty() {
+        file.split_once(" (").map_or(file, |(file, _)| file).trim_end_matches(".csv")
+    } else {
+        folder
+    }
+}
+
+/// See [`JoinedFiles::by_several`].
+fn by_several(read: &[ReadFile]) -> Vec<(String, String)> {
+    let mut files: BTreeMap<&str, BTreeMap<&str, &str>> = BTreeMap::new();
+    for (_, name, rows) in read {
+        for student in rows.iter().map(|row| row[0].trim()).filter(|student| !student.is_empty()) {
+            files.entry(student).or_default().insert(owner(name), name);
+        }
+    }
+    let several = files.into_iter().filter(|(_, files)| files.len() > 1);
+    let names = |files: BTreeMap<&str, &str>| files.into_values().collect::<Vec<_>>().join(", ");
+    several.map(|(student, files)| (student.to_owned(), names(files))).collect()
 }
 
 /// The students whose answers a file holds that is named for another one, `answers-ID.csv`.
