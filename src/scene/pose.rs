@@ -209,7 +209,7 @@ pub fn turned_from<T: Real>(planar: &Planar, axis: [T; 2], from: [T; 2]) -> T {
     if across.size() < LEVEL && along.sign() < 0.0 {
         return T::of(f64::NAN);
     }
-    trig::angle(across, along).signed(sense(planar))
+    trig::angle(across, along).signed(planar.sense())
 }
 
 /// A joint holds whose points are no farther apart than this share of the size of everything: printed decimals of a place are rounded.
@@ -229,17 +229,13 @@ fn axis<T: Real>(planar: &Planar, angle: &Half<T>) -> [T; 2] {
 }
 /// The same at the angle of this cosine and sine.
 fn facing<T: Real>(planar: &Planar, [c, s]: [T; 2]) -> [T; 2] {
-    let s = s.signed(sense(planar));
+    let s = s.signed(planar.sense());
     match planar.from {
         Ray::Right => [c, s],
         Ray::Up => [-s, c],
         Ray::Left => [-c, -s],
         Ray::Down => [s, -c],
     }
-}
-/// 1 where the angle of a body counts counter-clockwise, else -1.
-const fn sense(planar: &Planar) -> f64 {
-    if planar.clockwise { -1.0 } else { 1.0 }
 }
 /// A direction with its derivatives where it turns counter-clockwise at this rate, by the leading angle, and with this derivative
 /// of it.
@@ -704,7 +700,7 @@ impl<'a, T: Real> Layout<'a, T> {
             Rest::Stretch(wound) => {
                 let [c, s] = self.poses::<T>(T::zero(), true)?[strut.at.body].axis;
                 let [cosine, sine] = direction(self.n, wound);
-                let back = -sine.signed(sense(planar));
+                let back = -sine.signed(planar.sense());
                 [c * cosine - s * back, s * cosine + c * back]
             }
         })
@@ -834,7 +830,7 @@ impl<'a, T: Real> Layout<'a, T> {
             let apart = off(pose.axis, axis(planar, &Half::of_degrees(told)));
             (apart > MET).then(|| {
                 let across = from[0] * pose.axis[1] - from[1] * pose.axis[0];
-                let lies = trig::angle(across, dot(from, pose.axis)).signed(sense(planar));
+                let lies = trig::angle(across, dot(from, pose.axis)).signed(planar.sense());
                 (body, [told.f64(), lies.f64().to_degrees()])
             })
         })
@@ -1091,7 +1087,7 @@ impl<'a, T: Real> Layout<'a, T> {
     fn axis<X: Followed<T>>(&self, turned: T, rate: T) -> Option<[X; 2]> {
         let planar = self.scene.bodies[self.lead].planar.as_ref()?;
         let direction = axis(planar, &self.start.plus(Half::of_radians(turned)));
-        Some(turning(direction, rate.signed(sense(planar)), T::zero()))
+        Some(turning(direction, rate.signed(planar.sense()), T::zero()))
     }
 
     /// How the leading body is held, if it hangs on a fixed pin.
@@ -1106,7 +1102,7 @@ impl<'a, T: Real> Layout<'a, T> {
     /// Where the leading body is at this angle, if it hangs on a fixed pin.
     pub fn hung<X: Followed<T>>(&self, angle: &Half<T>) -> Option<Pose<X>> {
         let (planar, at, place) = self.pinned()?;
-        let direction = turning(axis(planar, angle), T::of(sense(planar)), T::zero());
+        let direction = turning(axis(planar, angle), T::of(planar.sense()), T::zero());
         Some(Pose::through(direction, at, fixed(place)))
     }
     /// How far it has moved from the start with this change of its angle, to this angle: a difference of two directions is a product,
@@ -1115,7 +1111,7 @@ impl<'a, T: Real> Layout<'a, T> {
         let (planar, at, _) = self.pinned()?;
         let step = Half::of_radians(turned);
         let middle = angle.map_or_else(|| self.start.plus(step), |angle| *angle).plus(self.start);
-        let by = step.sine.scale2(1).signed(sense(planar));
+        let by = step.sine.scale2(1).signed(planar.sense());
         let axis = left(facing(planar, [middle.cosine, middle.sine])).map(|x| x * by);
         Some(Pose { origin: from_origin(axis, at).map(|x| -x), axis })
     }
@@ -1137,7 +1133,7 @@ impl<'a, T: Real> Layout<'a, T> {
                 Pose::through(self.axis(way * arc.ratio, arc.ratio)?, *at, centre)
             }
             Step::Wheel(track, start) => {
-                let sense = sense(self.scene.bodies[self.lead].planar.as_ref()?);
+                let sense = self.scene.sense(self.lead);
                 let turned = X::with(way.signed(sense), || [T::of(sense), T::zero()]);
                 let ahead =
                     turned.by(plant!("pose: way of a wheel on a line", -track.radius)) + X::still(*start);
@@ -1198,7 +1194,7 @@ impl<'a, T: Real> Layout<'a, T> {
                 Pose::through(axis, *at, place)
             }
             Step::Orbits(held, ratio, axis) => {
-                let sense = sense(self.scene.bodies[self.lead].planar.as_ref()?);
+                let sense = self.scene.sense(self.lead);
                 let turned = X::with((way * *ratio).signed(sense), || [ratio.signed(sense), T::zero()]);
                 Pose::through(rolled(*axis, turned), held.at, place(held, poses))
             }

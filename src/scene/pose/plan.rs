@@ -3,7 +3,7 @@ use crate::num::Real;
 use crate::num::half::Half;
 use crate::scene::pose::{
     Arc, Guided, Held, Hung, Known, Layout, Line, MET, Pose, Step, Steps, Track, axis, direction, dot,
-    from_origin, ground, left, less, of_spot, off, parallel, plus, sense, times,
+    from_origin, ground, left, less, of_spot, off, parallel, plus, times,
 };
 use crate::scene::{Branch, JointKind, Place, Planar, Spot, Straight, Surface, pose};
 use smallvec::SmallVec;
@@ -177,7 +177,7 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
     }
     /// How far the leading body turns to the left on its way.
     fn turn(&self) -> Option<T> {
-        Some(self.layout.ratio().signed(sense(self.planar(self.layout.lead)?)))
+        Some(self.layout.ratio().signed(self.layout.scene.sense(self.layout.lead)))
     }
 
     /// Where the axis of a body begins at the start, if that is told.

@@ -427,7 +427,7 @@ impl<'a, T: Real> Account<'a, T> {
         let near = self.point(poses, *at);
         let far = match to {
             StrutEnd::Twist => {
-                let (Pose { axis, .. }, sense) = (&poses[at.body], self.counts(at.body));
+                let (Pose { axis, .. }, sense) = (&poses[at.body], self.scene.sense(at.body));
                 let planar = self.scene.planar(at.body);
                 let turned = |p| pose::turned_from(p, axis.map(|x| x.value), self.relaxed[s]);
                 let (first, second) = poses[at.body].turn();
@@ -467,7 +467,7 @@ impl<'a, T: Real> Account<'a, T> {
     /// The motion of unit rate of the leading angle.
     fn rates(&self, poses: &Poses<T>) -> Motion<T> {
         if self.pinned {
-            return smallvec![[T::zero(), T::zero(), T::of(self.counts(self.lead))]];
+            return smallvec![[T::zero(), T::zero(), T::of(self.scene.sense(self.lead))]];
         }
         poses.iter().map(|p| [p.origin[0].first, p.origin[1].first, p.turn().0]).collect()
     }
@@ -686,7 +686,7 @@ impl<'a, T: Real> Account<'a, T> {
     /// The rate of what [`Self::leading`] tells in the motion of unit rate of the leading angle.
     fn unit(&self, poses: &Poses<T>) -> T {
         match self.layout.arc() {
-            Some(arc) => arc.apart.square().signed(self.counts(self.lead)),
+            Some(arc) => arc.apart.square().signed(self.scene.sense(self.lead)),
             None if self.layout.glide().is_some() => T::of(1.0),
             None => poses[self.lead].turn().0,
         }
@@ -1052,7 +1052,7 @@ impl<'a, T: Real> Account<'a, T> {
     /// An instant of bodies of which the leading one turns as it is driven: the couple is what the balance lacks.
     fn driven(&mut self, spin: T, alpha: T, road: &mut Road<T>) -> Result<(), Refusal> {
         let poses = self.poses(T::zero())?;
-        let sense = self.counts(self.lead);
+        let sense = self.scene.sense(self.lead);
         let (unit, bend) = poses[self.lead].turn();
         let second = (alpha.signed(sense) - bend * spin.square()) / unit;
         let rate = if spin.is_zero() { second } else { spin };
@@ -1116,7 +1116,7 @@ impl<'a, T: Real> Account<'a, T> {
             let row = rows.row();
             row[columns] = self.n.get(number);
             if of.degree == Degree::Turn {
-                row[3 * of.body + 2] = T::of(self.counts(of.body));
+                row[3 * of.body + 2] = T::of(self.scene.sense(of.body));
                 continue;
             }
             // The way of its point along the line, seen from what carries that.

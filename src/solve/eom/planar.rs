@@ -392,7 +392,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
                 (End { body: self.lead, along: none, lever: none, radius: T::of(1.0), rim: zero }, T::of(1.0))
             }
         };
-        (Row::new(0, end, None, zero), speed.signed(self.sense(self.lead)))
+        (Row::new(0, end, None, zero), speed.signed(self.scene.sense(self.lead)))
     }
 
     /// How fast everything moves for a unit rate of the leading angle, by what the joints hold.
@@ -421,7 +421,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
         for (of, number) in self.scene.start_speeds() {
             let end = |along, lever, radius| End { body: of.body, along, lever, radius, rim: zero };
             let (one, other) = match of.degree {
-                Degree::Turn => (end([zero; 2], [zero; 2], T::of(self.sense(of.body))), None),
+                Degree::Turn => (end([zero; 2], [zero; 2], T::of(self.scene.sense(of.body))), None),
                 Degree::Along => {
                     let (joint, at) = self.scene.guide_of(of.body).ok_or(Refusal::Open(of))?;
                     let along = self.layout.told_along(joint, &state.poses);
@@ -502,7 +502,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
     pub fn turn_to(&self, state: &mut State<T>, angle: &Half<T>) -> Result<(), Refusal> {
         let Some(planar) = self.scene.planar(self.lead) else { return Ok(()) };
         let [x, y] = planar.from.components().map(T::of);
-        let (c, s) = (angle.full_cosine(), angle.full_sine().signed(self.sense(self.lead)));
+        let (c, s) = (angle.full_cosine(), angle.full_sine().signed(self.scene.sense(self.lead)));
         state.poses[self.lead].axis = [(x * c).balance(-(y * s)), (y * c).balance(x * s)];
         state.leads = self.leads(&state.poses);
         self.look(state, true)
@@ -592,12 +592,6 @@ impl<'a, T: Real> Mechanism<'a, T> {
             sum = sum + numbers.mass * (x.square() + y.square()) + numbers.inertia * turn.square();
         }
         sum
-    }
-
-    /// 1 where the angle of a body counts counter-clockwise, else -1.
-    pub fn sense(&self, body: usize) -> f64 {
-        let clockwise = self.scene.bodies[body].planar.as_ref().is_some_and(|p| p.clockwise);
-        if clockwise { -1.0 } else { 1.0 }
     }
 
     /// The direction along the surface of a joint, that to the right of its normal.
@@ -693,12 +687,12 @@ impl<'a, T: Real> Mechanism<'a, T> {
         }
         for (s, strut) in self.scene.struts.iter().enumerate().filter(|(_, strut)| strut.twists()) {
             let stiffness = plant!("eom: stiffness of a torsion spring", self.n.massive(strut.stiffness_n_m));
-            let moment = -(stiffness * self.stretch(poses, s)).signed(self.sense(strut.at.body));
+            let moment = -(stiffness * self.stretch(poses, s)).signed(self.scene.sense(strut.at.body));
             forces[strut.at.body][2] = forces[strut.at.body][2].balance(moment);
         }
         for c in &self.scene.couples {
             let moment = plant!("eom: moment of a couple in the plane", self.n.massive(c.moment_n_m));
-            let moment = moment.signed(self.sense(c.body));
+            let moment = moment.signed(self.scene.sense(c.body));
             forces[c.body][2] = forces[c.body][2].balance(if c.forward { moment } else { -moment });
         }
         forces
@@ -768,7 +762,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
 
     /// Moment about the mass centre of a body of all forces on it but those of joints, as its own angle counts.
     pub fn moment(&self, state: &State<T>, body: usize) -> T {
-        self.forces(&state.poses, false)[body][2].signed(self.sense(body))
+        self.forces(&state.poses, false)[body][2].signed(self.scene.sense(body))
     }
 
     /// Accelerations and reactions for these senses of sliding of each joint (0 where nothing rubs).
@@ -828,7 +822,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let mut before: Rates<T> = smallvec![[T::zero(); 3]; self.n.bodies.len()];
         for (b, arrives) in self.scene.arrivals() {
             let spin =
-                plant!("eom: spin before an impact", self.n.get(arrives.spin_rad_s).signed(self.sense(b)));
+                plant!("eom: spin before an impact", self.n.get(arrives.spin_rad_s).signed(self.scene.sense(b)));
             let speed = plant!("eom: speed before an impact", self.n.get(arrives.speed_m_s));
             let [c, s] = pose::direction(self.n, arrives.direction_deg);
             let pin = self.scene.turns_about((b, arrives));
@@ -858,7 +852,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let mut response = self.respond(state, sliding)?;
         let rows = self.rubbing(state, sliding);
         let mut couple: Rates<T> = smallvec![[T::zero(); 3]; self.n.bodies.len()];
-        couple[self.lead][2] = plant!("eom: couple of a drive", T::of(self.sense(self.lead)));
+        couple[self.lead][2] = plant!("eom: couple of a drive", T::of(self.scene.sense(self.lead)));
         let unit = self.answer(state, &rows, &couple, false)?;
         let (constant, by_square) = self.turning(&response, self.lead);
         let per = self.turning(&unit, self.lead).0;
@@ -1020,7 +1014,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
     }
     /// Angular acceleration of a body, as its own angle counts: constant part, and per square of the rate.
     pub fn turning(&self, response: &Response<T>, body: usize) -> (T, T) {
-        let [constant, square] = [0, 1].map(|i| response.moves[i][body][2].signed(self.sense(body)));
+        let [constant, square] = [0, 1].map(|i| response.moves[i][body][2].signed(self.scene.sense(body)));
         (constant, square)
     }
     /// Acceleration of a mass centre at this square of the rate: to the right and up.
@@ -1035,7 +1029,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
     }
     /// Angular velocity of a body for a unit rate, as its own angle counts.
     pub fn spin(&self, state: &State<T>, body: usize) -> T {
-        state.rates[body][2].signed(self.sense(body))
+        state.rates[body][2].signed(self.scene.sense(body))
     }
     /// Sum of the magnitudes of the momenta that bodies gain by these jumps of their velocities.
     pub fn gained(&self, jumps: &Response<T>) -> f64 {

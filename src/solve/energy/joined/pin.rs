@@ -70,7 +70,7 @@ impl<T: Real> Account<'_, T> {
     /// does work, to the right and up from both.
     pub fn tell_pin(&self, poses: &Poses<T>, second: T, square: T, road: &mut Road<T>) {
         let (b, zero) = (self.lead, T::zero());
-        let (numbers, arm, sense) = (&self.n.bodies[b], self.centres[b].0, self.counts(b));
+        let (numbers, arm, sense) = (&self.n.bodies[b], self.centres[b].0, self.scene.sense(b));
         let [c, s] = poses[b].axis.map(|x| x.value);
         let lacks = |powers: SmallVec<[T; 6]>, needed: T| {
             let size = powers.iter().fold(needed.size(), |sum, p| sum + p.size());

@@ -24,7 +24,7 @@ impl<T: Real> Account<'_, T> {
         let moves = |b: usize, along: T| self.accelerates(poses, b, along, second, square);
         let turning = |b: usize| {
             let (first, bend) = poses[b].turn();
-            if self.pinned { second.signed(self.counts(b)) } else { (first * second).balance(bend * square) }
+            if self.pinned { second.signed(self.scene.sense(b)) } else { (first * second).balance(bend * square) }
         };
         let moving = rates.iter().map(|r| r.map(|x| x * rate)).collect();
         if self.pinned {
@@ -61,7 +61,7 @@ impl<T: Real> Account<'_, T> {
             sum = sum + self.n.massive(push.force_n) * (dot(u, second(at)) + dot(turned, first(at)));
         }
         for c in &self.scene.couples {
-            let bend = poses[c.body].turn().1.signed(self.counts(c.body));
+            let bend = poses[c.body].turn().1.signed(self.scene.sense(c.body));
             sum = sum + self.n.massive(c.moment_n_m) * if c.forward { bend } else { -bend };
         }
         for (s, (strut, natural)) in self.scene.struts.iter().zip(&self.natural).enumerate() {
@@ -198,7 +198,7 @@ impl<T: Real> Account<'_, T> {
                     self.say(road, Quantity::AngularMomentum, of, momentum);
                 }
                 if let Some((_, turning)) = rates {
-                    self.say(road, Quantity::Alpha, of, turning(b).signed(self.counts(b)));
+                    self.say(road, Quantity::Alpha, of, turning(b).signed(self.scene.sense(b)));
                 }
             }
             let own = self.of_couples(motion).filter(|(body, _)| *body == b).map(|(_, power)| power);

@@ -82,7 +82,7 @@ impl<T: Real> Account<'_, T> {
     pub fn before(&self, poses: &Poses<T>) -> Motion<T> {
         let mut before: Motion<T> = smallvec![[T::zero(); 3]; self.scene.bodies.len()];
         for (b, arrives) in self.scene.arrivals() {
-            before[b][2] = self.n.get(arrives.spin_rad_s).signed(self.counts(b));
+            before[b][2] = self.n.get(arrives.spin_rad_s).signed(self.scene.sense(b));
             // The origin of its axis moves so that the point about which it turns does not, or its mass centre as it is told to.
             let turned = match self.scene.turns_about((b, arrives)) {
                 Some(pin) => self.of_spot(poses, &before, pin),
@@ -108,7 +108,7 @@ impl<T: Real> Account<'_, T> {
             }
             let moves = match strut.to {
                 StrutEnd::Twist => {
-                    let turn = motion[strut.at.body][2].signed(self.counts(strut.at.body));
+                    let turn = motion[strut.at.body][2].signed(self.scene.sense(strut.at.body));
                     let stiffness =
                         plant!("energy: power of a torsion spring", self.n.massive(strut.stiffness_n_m));
                     powers.push(-(stiffness * length * turn));
@@ -137,7 +137,7 @@ impl<T: Real> Account<'_, T> {
     pub fn of_couples(&self, motion: &Motion<T>) -> impl Iterator<Item = (usize, T)> {
         self.scene.couples.iter().map(move |c| {
             let moment = plant!("energy: power of a couple in the plane", self.n.massive(c.moment_n_m));
-            let turn = motion[c.body][2].signed(self.counts(c.body));
+            let turn = motion[c.body][2].signed(self.scene.sense(c.body));
             (c.body, moment * if c.forward { turn } else { -turn })
         })
     }
@@ -162,11 +162,6 @@ impl<T: Real> Account<'_, T> {
     pub fn off(&self, poses: &Poses<T>, at: Spot, place_m: [Num; 2]) -> Jet<T> {
         let [x, y] = self.to_place(poses, at, place_m);
         (x * x + y * y).square_root()
-    }
-
-    /// 1 where the angle of a body counts counter-clockwise, else -1.
-    pub fn counts(&self, body: usize) -> f64 {
-        if self.scene.bodies[body].planar.as_ref().is_some_and(|p| p.clockwise) { -1.0 } else { 1.0 }
     }
 
     /// Work of all forces between two places, so far apart.
@@ -208,7 +203,7 @@ impl<T: Real> Account<'_, T> {
             } else {
                 let rate = |at: T| Ok::<_, Refusal>(self.poses(at)?[c.body].turn().0.signed(self.sense));
                 // A body that only moves turns by rounding alone, beside the one that leads.
-                gauss::short().integral(rate, (T::zero(), way), 1.0)?.signed(self.counts(c.body))
+                gauss::short().integral(rate, (T::zero(), way), 1.0)?.signed(self.scene.sense(c.body))
             };
             let moment = plant!("energy: work of a couple in the plane", self.n.massive(c.moment_n_m));
             add(moment * if c.forward { turned } else { -turned });
