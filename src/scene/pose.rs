@@ -7,6 +7,7 @@
 //! turns with the way of its centre; one that leads on a cylinder is told by the angle of its centre. A cord or a light rod guides
 //! its point on a circle, as long as it is at the start.
 mod plan;
+mod springs;
 
 use crate::num::half::Half;
 use crate::num::jet::Followed;
@@ -280,7 +281,11 @@ pub struct Layout<'a, T: Real> {
     /// For each joint: the direction of its line, seen from the axis of the body that carries it; zero where it has none.
     pub lines: SmallVec<[[T; 2]; 4]>,
     /// For each force: its direction, in space or from the axis of its body.
-    pub pushes: SmallVec<[[T; 2]; 2]>,
+    pushes: SmallVec<[[T; 2]; 2]>,
+    /// Natural length of each spring; 0 of a torsion spring.
+    pub natural: SmallVec<[T; 2]>,
+    /// Of each torsion spring the direction of the axis of its body at which it is relaxed.
+    relaxed_axes: SmallVec<[[T; 2]; 2]>,
     /// For each joint: how far along its line a wheel is at the start that rolls on it, or how long a cord or a light rod is.
     starts: SmallVec<[T; 4]>,
     /// Where everything is at the start, if cords or light rods guide on the way.
@@ -620,6 +625,8 @@ impl<'a, T: Real> Layout<'a, T> {
             start: scene.start_angle(n),
             lines: scene.joints.iter().map(|j| line(&j.kind)).collect(),
             pushes: scene.pushes.iter().map(|p| direction(n, p.direction_deg)).collect(),
+            natural: SmallVec::new(),
+            relaxed_axes: SmallVec::new(),
             starts: scene.joints.iter().map(|_| T::zero()).collect(),
             first: None,
             arc,
@@ -724,12 +731,13 @@ impl<'a, T: Real> Layout<'a, T> {
     }
     /// The first way in this sense, looked for up to `far`, on which a torsion spring comes to be wound by half a turn, from where it
     /// is relaxed, or a load to its pulley.
-    pub fn overruns(&self, relaxed: &[[T; 2]], sense: f64, far: (T, T)) -> Option<(T, Obstacle)> {
+    pub fn overruns(&self, sense: f64, far: (T, T)) -> Option<(T, Obstacle)> {
         let poses = |way: T| self.poses::<T>(way.signed(sense), false);
         let changes = |value: &dyn Fn(T) -> Option<T>| {
             root::changes(far, &[], &|way| value(way).ok_or(())).unwrap_or_default()
         };
-        let twisted = self.scene.struts.iter().zip(relaxed).enumerate().filter(|(_, (s, _))| s.twists());
+        let twisted =
+            self.scene.struts.iter().zip(&self.relaxed_axes).enumerate().filter(|(_, (s, _))| s.twists());
         let wound = twisted.filter_map(|(s, (strut, [x, y]))| {
             let axis = |way: T| Some(poses(way)?[strut.at.body].axis);
             let ways = changes(&|way| axis(way).map(|[c, s]| *x * s - *y * c));
@@ -903,7 +911,7 @@ impl<'a, T: Real> Layout<'a, T> {
         all.enumerate().find(|(_, off)| off.is_nan() || *off > MET * size)
     }
     /// Where a point of a body is.
-    fn spot<X: Followed<T>>(&self, spot: Spot, poses: &Poses<X>) -> [X; 2] {
+    pub fn spot<X: Followed<T>>(&self, spot: Spot, poses: &Poses<X>) -> [X; 2] {
         poses[spot.body].point(of_spot(self.scene, self.n, spot))
     }
     /// How far a point is along the line of a joint and to its left.
@@ -913,7 +921,7 @@ impl<'a, T: Real> Layout<'a, T> {
         [dot(unit, from), dot(left(unit), from)]
     }
     /// How far a point is from a fixed place.
-    fn distance<X: Followed<T>>(&self, poses: &Poses<X>, at: Spot, place_m: [Num; 2]) -> X {
+    pub fn distance<X: Followed<T>>(&self, poses: &Poses<X>, at: Spot, place_m: [Num; 2]) -> X {
         let apart = less(self.spot(at, poses), fixed(ground(self.n, place_m)));
         dot(apart, apart).square_root()
     }

@@ -18,11 +18,10 @@ use crate::num::half::Half;
 use crate::num::jet::Followed;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
-use crate::num::{Dd, Jet, Real, ball, root, trig};
+use crate::num::{Dd, Jet, Real, ball, trig};
 use crate::scene::pose::{self, Layout, Obstacle, Pose};
 use crate::scene::{
-    Acts, Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Quantity, Rest, Scene, Spot, Strut,
-    StrutEnd, Surface,
+    Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Quantity, Scene, Spot, Surface,
 };
 use crate::solve::energy::pendulum::Pendulum;
 use crate::solve::method::Method;
@@ -82,10 +81,6 @@ struct Account<'a, T: Real> {
     layout: Layout<'a, T>,
     /// Distance of the mass centre of each body along its axis, and its radius of gyration.
     centres: SmallVec<[(T, T); 2]>,
-    /// Natural length of each spring; 0 of a torsion spring.
-    natural: SmallVec<[T; 2]>,
-    /// Of each torsion spring the direction of the axis of its body at which it is relaxed.
-    relaxed: SmallVec<[Vector<T>; 2]>,
     /// Ways after which springs are met or let go of.
     meets: SmallVec<[T; 4]>,
     /// Sense in which the leading angle changes.
@@ -326,19 +321,19 @@ impl<'a, T: Real> Account<'a, T> {
             let gyration = if turns { (numbers.inertia / numbers.mass).root() } else { T::zero() };
             (pose::along(n, centre), gyration)
         });
-        let mut account = Self {
+        let mut layout = Layout::new(scene, n).ok_or(Refusal::Freedoms(2))?;
+        layout.measure_springs().ok_or(Refusal::Freedoms(2))?;
+        Ok(Self {
             scene,
             n,
             lead,
-            layout: Layout::new(scene, n).ok_or(Refusal::Freedoms(2))?,
+            horizon: layout.horizon(),
+            layout,
             centres: centres.collect(),
-            natural: SmallVec::new(),
-            relaxed: SmallVec::new(),
             meets: SmallVec::new(),
             sense: 1.0,
             stride: STEP,
             widest: STEP,
-            horizon: T::zero(),
             pinned: false,
             pendulum: None,
             slides: scene.joints.iter().map(|_| 0.0).collect(),
@@ -351,18 +346,7 @@ impl<'a, T: Real> Account<'a, T> {
             looked: Cell::new(0),
             points: None,
             granted: false,
-        };
-        account.horizon = account.layout.horizon();
-        let poses = account.placed()?;
-        for (s, strut) in scene.struts.iter().enumerate() {
-            account.relaxed.push(account.layout.relaxed(strut).ok_or(Refusal::Freedoms(2))?);
-            account.natural.push(match strut.rest {
-                _ if strut.twists() => T::zero(),
-                Rest::Length(l) => n.get(l),
-                Rest::Stretch(x) => account.length(&poses, s).value - n.get(x),
-            });
-        }
-        Ok(account)
+        })
     }
 
     fn poses(&self, way: T) -> Result<Poses<T>, Refusal> {
@@ -386,31 +370,13 @@ impl<'a, T: Real> Account<'a, T> {
     fn placed(&self) -> Result<Poses<T>, Refusal> {
         self.layout.poses(T::zero(), true).ok_or(Refusal::Freedoms(2))
     }
-    /// Ways after which springs that only push or pull are met or let go of, one after the other; of all springs those after which they
-    /// have their natural length or are shortest or longest, so that the force of none turns within a hair.
+    /// The ways of [`Layout::meets`].
     fn springs_met(&self, all: bool) -> SmallVec<[T; 4]> {
-        let far = (self.layout.horizon(), T::of(STEP));
-        let looked = |s: &usize| match self.scene.struts[*s].acts {
-            Acts::Both => all && !self.scene.struts[*s].twists(),
-            Acts::Pushes | Acts::Pulls => true,
-        };
-        let ways = (0..self.scene.struts.len()).filter(looked).flat_map(|s| {
-            let square = |way: T| {
-                let [x, y] = self.apart(&self.poses(way)?, s);
-                Ok::<_, Refusal>(x.value.square() + y.value.square())
-            };
-            let turns =
-                if self.scene.struts[s].twists() { SmallVec::new() } else { root::turns(far, &square) };
-            let value = |way: T| Ok::<_, Refusal>(self.length(&self.poses(way)?, s).value - self.natural[s]);
-            let met = root::changes(far, &turns, &value).unwrap_or_default();
-            met.into_iter().chain(turns.into_iter().filter(move |_| all))
-        });
-        let mut all: SmallVec<[T; 4]> = ways.collect();
-        all.sort_by(|a, b| a.f64().total_cmp(&b.f64()));
-        all
+        let met = self.layout.meets(all, self.sense, (self.layout.horizon(), T::of(STEP)));
+        met.into_iter().map(|(_, way)| way).collect()
     }
     fn point(&self, poses: &Poses<T>, spot: Spot) -> pose::Point<T> {
-        poses[spot.body].point(pose::of_spot(self.scene, self.n, spot))
+        self.layout.spot(spot, poses)
     }
     fn centre(&self, poses: &Poses<T>, body: usize) -> pose::Point<T> {
         poses[body].point([self.centres[body].0, T::zero()])
@@ -421,49 +387,10 @@ impl<'a, T: Real> Account<'a, T> {
         let apart = plant!("energy: equimomental particles", gyration);
         [centre + apart, centre - apart].map(|along| poses[body].point([along, T::zero()]))
     }
-    /// From one end of a spring to the other; of a torsion spring the angle of its body from where that is relaxed.
-    fn apart(&self, poses: &Poses<T>, s: usize) -> pose::Point<T> {
-        let Strut { at, to, .. } = &self.scene.struts[s];
-        let near = self.point(poses, *at);
-        let far = match to {
-            StrutEnd::Twist => {
-                let (Pose { axis, .. }, sense) = (&poses[at.body], self.scene.sense(at.body));
-                let planar = self.scene.planar(at.body);
-                let turned = |p| pose::turned_from(p, axis.map(|x| x.value), self.relaxed[s]);
-                let (first, second) = poses[at.body].turn();
-                let value = planar.map_or_else(T::zero, turned);
-                let angle = Jet { value, first: first.signed(sense), second: second.signed(sense) };
-                return [angle, Jet::fixed(T::zero())];
-            }
-            StrutEnd::Ground(place) => pose::ground(self.n, *place).map(Jet::fixed),
-            StrutEnd::Spot(spot) => self.point(poses, *spot),
-            StrutEnd::Guide { through_m, direction_deg } => {
-                let line = [pose::ground(self.n, *through_m), pose::direction(self.n, *direction_deg)];
-                let [through, along] = line.map(|x| x.map(Jet::fixed));
-                pose::foot(near, through, along)
-            }
-        };
-        [far[0] - near[0], far[1] - near[1]]
-    }
-    /// Length of a spring; of a torsion spring that angle.
-    fn length(&self, poses: &Poses<T>, s: usize) -> Jet<T> {
-        let [x, y] = self.apart(poses, s);
-        if self.scene.struts[s].twists() { x } else { (x * x + y * y).square_root() }
-    }
-
     /// [`Layout::overruns`].
     fn overruns(&self, far: (T, T)) -> Option<(T, Obstacle)> {
-        ball::unwatched(|| self.layout.overruns(&self.relaxed, self.sense, far))
+        ball::unwatched(|| self.layout.overruns(self.sense, far))
     }
-    /// Does a spring of this length press, or pull, where it can do but one of them?
-    fn bears(&self, s: usize, length: T) -> bool {
-        match self.scene.struts[s].acts {
-            Acts::Both => true,
-            Acts::Pushes => length.below(self.natural[s]),
-            Acts::Pulls => self.natural[s].below(length),
-        }
-    }
-
     /// The motion of unit rate of the leading angle.
     fn rates(&self, poses: &Poses<T>) -> Motion<T> {
         if self.pinned {

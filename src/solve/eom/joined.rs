@@ -228,7 +228,7 @@ pub fn road_by<T: Real>(
             Teller { scene, n, mechanism: &mechanism, asked, by, pinned, count, road, goes_on: false };
         follow(&mut teller)?;
         let Teller { count, road, goes_on, .. } = teller;
-        if !goes_on || !mechanism.looks_farther() {
+        if !goes_on || !mechanism.layout.looks_farther() {
             return Ok((road, count));
         }
     }
@@ -277,7 +277,7 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
         near: T::zero(),
         slides,
         rubs,
-        meets: mechanism.meets(sense, (mechanism.horizon(), look())),
+        meets: meets(mechanism, sense, mechanism.layout.horizon()),
         pendulum: teller.pendulum(&state, sense, spin),
         fine: Fine::of::<T>(scene, false),
         steady: scene.spins_in_place(),
@@ -296,6 +296,12 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
 /// Step in which places on the way are looked for, radians.
 fn look<T: Real>() -> T {
     T::of(STRIDE / 16.0)
+}
+
+/// Where springs that only push or pull are met or let go of on a way from the start: which, and the leading angle.
+fn meets<T: Real>(mechanism: &Mechanism<T>, sense: f64, far: T) -> SmallVec<[(usize, T); 4]> {
+    let met = mechanism.layout.meets(false, sense, (far, look()));
+    met.into_iter().map(|(s, way)| (s, way.signed(sense))).collect()
 }
 
 /// The senses in which points slide in guides that rub, and wheels at surfaces, by the velocities (or accelerations from rest) of mass
@@ -505,7 +511,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 width = width * T::of(fit.clamp(0.5, 2.0));
             } else {
                 if left.is_none() || width.size() <= least {
-                    if let Some(folds) = self.mechanism.in_line(self.angle(self.way(next).0)) {
+                    if let Some(folds) = self.mechanism.layout.in_line(self.angle(self.way(next).0)) {
                         return Err(Refusal::Beyond(folds));
                     }
                     let value = panel.last.half_square.f64();
@@ -831,7 +837,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
 
     /// How far it is looked for an end: what spins in one place twice as far as it takes to come to rest.
     fn horizon(&self) -> Result<T, Refusal> {
-        let usual = self.mechanism.horizon();
+        let usual = self.mechanism.layout.horizon();
         if !self.steady {
             return Ok(usual);
         }
@@ -844,14 +850,14 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     /// the rate that ends the motion.
     fn wanted(&self) -> Result<Wanted<T>, Refusal> {
         let (scene, n) = (self.mechanism.scene, self.mechanism.n);
-        if let Some(apart) = self.mechanism.to_end_deg() {
+        if let Some(apart) = self.mechanism.layout.to_end_deg() {
             let apart = apart.signed(self.sense);
             return Ok(((Some(apart), T::zero()), apart / trig::degrees_per_radian(), None));
         }
         let far = self.horizon()?;
         Ok(match scene.end {
             End::Speed(_, w) => {
-                let w = n.get(w) / self.mechanism.ratio();
+                let w = n.get(w) / self.mechanism.layout.ratio();
                 let begins = self.from.half_square.scale2(1).root();
                 ((Some(w.abs()), begins), far, Some(w.square().scale2(-1)))
             }
@@ -904,7 +910,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     fn to_its_end(&self, teller: &mut Teller<'_, '_, T>) -> Result<(), Refusal> {
         let (scene, n) = (self.mechanism.scene, self.mechanism.n);
         let ((asked, begins), mut far, level) = self.wanted()?;
-        let limit = self.mechanism.overruns(self.sense, (far + look(), look()));
+        let limit = self.mechanism.layout.overruns(self.sense, (far + look(), look()));
         let limit = limit.filter(|(limit, _)| limit.at_most(far));
         far = limit.map_or(far, |(limit, _)| limit * T::of(SHORT));
         let (first, begin) = self.at(T::zero())?;
@@ -1037,7 +1043,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             };
             teller.say(Quantity::T, Owner::Scene, time);
         }
-        teller.say(Quantity::Phi, Owner::Body(self.mechanism.lead), self.mechanism.turned(stop.way));
+        teller.say(Quantity::Phi, Owner::Body(self.mechanism.lead), self.mechanism.layout.turned(stop.way));
         if let Some(lead) = scene.ends_at_an_angle() {
             let start = scene.planar(lead).and_then(|planar| planar.start_deg);
             let start =

@@ -20,7 +20,7 @@ use crate::num::linear::{Factors, Linear};
 use crate::num::plant::plant;
 use crate::num::{root, shares};
 use crate::scene::pose::{self, Layout, Obstacle};
-use crate::scene::{Acts, Degree, JointKind, Numbers, Rest, Scene, Spot, Strut, StrutEnd, Surface};
+use crate::scene::{Acts, Degree, JointKind, Numbers, Rest, Scene, Spot, StrutEnd, Surface};
 use crate::solve::outcome::{self, Refusal};
 use smallvec::{SmallVec, smallvec};
 use std::cell::RefCell;
@@ -59,15 +59,12 @@ pub struct Mechanism<'a, T: Real> {
     held: SmallVec<[usize; 4]>,
     /// How many velocities there are.
     columns: usize,
-    layout: Layout<'a, T>,
+    /// How the bodies are placed.
+    pub layout: Layout<'a, T>,
     /// Where nothing pushes it along its guide: the direction of that.
     drift: Option<Vector<T>>,
     /// For each body: how far its mass centre is along its axis, and its points from there, along the axis and to its left.
     levers: SmallVec<[(T, Levers<T>); 3]>,
-    /// Natural length of each spring; 0 of a torsion spring.
-    natural: SmallVec<[T; 2]>,
-    /// Of each torsion spring the direction of the axis of its body at which it is relaxed.
-    relaxed: SmallVec<[Vector<T>; 2]>,
     /// Room for the equations of the bodies, which are made anew at each place.
     factors: RefCell<Factors<T>>,
 }
@@ -179,7 +176,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
             let places = spots.map(|spot| pose::of_spot(scene, n, spot));
             (centre, places.map(|[along, aside]| [along - centre, aside]).collect())
         };
-        let layout = Layout::new(scene, n).ok_or_else(|| outcome::unplaced(scene, lead))?;
+        let mut layout = Layout::new(scene, n).ok_or_else(|| outcome::unplaced(scene, lead))?;
         if !T::is_double() {
             if let Some(crossed) = layout.choices().into_iter().find(|choice| choice.crossed) {
                 return Err(Refusal::Crossed(crossed));
@@ -188,7 +185,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
                 return Err(Refusal::IdleSide { body, with });
             }
         }
-        let mut mechanism = Self {
+        if layout.measure_springs().is_none() {
+            return Err(outcome::unplaced(scene, layout.unplaced(true).unwrap_or(lead)));
+        }
+        Ok(Self {
             scene,
             n,
             lead,
@@ -198,27 +198,8 @@ impl<'a, T: Real> Mechanism<'a, T> {
             layout,
             drift: scene.drifts().map(|direction| pose::direction(n, direction)),
             levers: (0..scene.bodies.len()).map(levers).collect(),
-            natural: SmallVec::new(),
-            relaxed: SmallVec::new(),
             factors: RefCell::new(Factors::none()),
-        };
-        if scene.struts.is_empty() {
-            return Ok(mechanism);
-        }
-        let start = mechanism.poses(T::zero(), true)?;
-        for strut in &scene.struts {
-            let length = {
-                let (_, _, apart) = mechanism.strut(&start, strut.at, &strut.to);
-                dot(apart, apart).root()
-            };
-            mechanism.relaxed.push(mechanism.layout.relaxed(strut).ok_or(Refusal::Freedoms(2))?);
-            mechanism.natural.push(match strut.rest {
-                _ if strut.twists() => T::zero(),
-                Rest::Length(l) => n.get(l),
-                Rest::Stretch(x) => length - n.get(x),
-            });
-        }
-        Ok(mechanism)
+        })
     }
 
     /// Where all bodies are after this change of the leading angle, radians.
@@ -238,25 +219,9 @@ impl<'a, T: Real> Mechanism<'a, T> {
         self.poses(T::zero(), false)?;
         Err(Refusal::Contradiction { of, given: self.n.get(given).f64(), follows: 0.0 })
     }
-    /// Angle that the leading body turns per angle that leads.
-    pub fn ratio(&self) -> T {
-        self.layout.ratio()
-    }
-    /// [`Layout::to_end_deg`].
-    pub fn to_end_deg(&self) -> Option<T> {
-        self.layout.to_end_deg()
-    }
-    /// How far it turns on this way.
-    pub fn turned(&self, way: T) -> T {
-        self.layout.turned(way)
-    }
 
     fn turns(&self, body: usize) -> bool {
         self.scene.bodies[body].turns
-    }
-    /// Where a point of a body is.
-    pub fn place(&self, poses: &Poses<T>, spot: Spot) -> Vector<T> {
-        poses[spot.body].point(pose::of_spot(self.scene, self.n, spot))
     }
     /// Where a mass centre is.
     pub fn centre(&self, poses: &Poses<T>, body: usize) -> Vector<T> {
@@ -271,20 +236,6 @@ impl<'a, T: Real> Mechanism<'a, T> {
             return [c * apart, s * apart];
         }
         [c * apart - s * aside, s * apart + c * aside]
-    }
-    /// The far end of a spring if it is a point of a body, its lever there, and the vector to it from the near end.
-    fn strut(&self, poses: &Poses<T>, at: Spot, to: &StrutEnd) -> (Option<Spot>, Vector<T>, Vector<T>) {
-        let near = self.place(poses, at);
-        let (far, spot) = match to {
-            StrutEnd::Ground(place) => (pose::ground(self.n, *place), None),
-            StrutEnd::Spot(spot) => (self.place(poses, *spot), Some(*spot)),
-            StrutEnd::Guide { through_m, direction_deg } => {
-                let along = pose::direction(self.n, *direction_deg);
-                (pose::foot(near, pose::ground(self.n, *through_m), along), None)
-            }
-            StrutEnd::Twist => (near, None),
-        };
-        (spot, near, [far[0] - near[0], far[1] - near[1]])
     }
 
     /// The rows of all joints.
@@ -326,7 +277,9 @@ impl<'a, T: Real> Mechanism<'a, T> {
                 JointKind::Guide { at, .. } | JointKind::Contact { at, .. } => {
                     // The centre keeps its distance; rolling, its speed along the surface is the radius times the turn.
                     let line = self.layout.line(joint, poses);
-                    let Some(touch) = self.layout.touch(joint, self.place(poses, at), line) else { continue };
+                    let Some(touch) = self.layout.touch(joint, self.layout.spot(at, poses), line) else {
+                        continue;
+                    };
                     let [rolls, teeth] = held.kind.rolls();
                     if !teeth {
                         let rim = plant!("eom: radius at which a wheel rubs", touch.rim);
@@ -345,7 +298,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
                 }
                 JointKind::Cord { at, place_m, beyond, .. } => {
                     let tied = |(at, place_m)| {
-                        let (near, far) = (self.place(poses, at), pose::ground(self.n, place_m));
+                        let (near, far) = (self.layout.spot(at, poses), pose::ground(self.n, place_m));
                         let apart = [far[0] - near[0], far[1] - near[1]];
                         let length = dot(apart, apart).root();
                         (end(at, apart.map(|x| x / length), zero), one / length)
@@ -378,7 +331,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
             Some(arc) => {
                 let spot = self.scene.joints[arc.joint].kind.spots().next();
                 let spot = spot.unwrap_or(Spot { body: self.lead, point: 0 });
-                let place = self.place(poses, spot);
+                let place = self.layout.spot(spot, poses);
                 let along = [(arc.axis[1] - place[1]) / arc.apart, (place[0] - arc.axis[0]) / arc.apart];
                 let lever = self.lever(poses, spot);
                 (End { body: self.lead, along, lever, radius: zero, rim: zero }, arc.apart)
@@ -511,7 +464,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
     /// Says why there: where rods lie in one line, nothing tells how they go on.
     fn in_place(&self, way: T) -> impl Fn(Refusal) -> Refusal {
         move |why| match why {
-            Refusal::Freedoms(_) => self.in_line(way).map_or(why, Refusal::Beyond),
+            Refusal::Freedoms(_) => self.layout.in_line(way).map_or(why, Refusal::Beyond),
             why => why,
         }
     }
@@ -643,22 +596,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
             (on[0], on[1]) = (on[0].balance(f[0]), on[1].balance(f[1]));
             on[2] = on[2].balance(plant!("eom: moment of a force about the mass centre", cross(r, f)));
         };
-        for (push, [c, s]) in self.scene.pushes.iter().zip(self.layout.pushes.iter().copied()) {
-            if push.blow != blows {
-                continue;
-            }
-            let axis = poses[push.at.body].axis;
-            let u = if let Some(place) = push.toward_m {
-                let (_, _, apart) = self.strut(poses, push.at, &StrutEnd::Ground(place));
-                let length = dot(apart, apart).root();
-                apart.map(|x| x / length)
-            } else if push.turns {
-                [axis[0] * c - axis[1] * s, axis[1] * c + axis[0] * s]
-            } else {
-                [c, s]
-            };
+        for (i, push) in self.scene.pushes.iter().enumerate().filter(|(_, push)| push.blow == blows) {
             let p = plant!("eom: force on a point", self.n.massive(push.force_n));
-            force(push.at.body, u.map(|x| x * p), self.lever(poses, push.at));
+            let along = self.layout.push(poses, i).map(|x| x * p);
+            force(push.at.body, along, self.lever(poses, push.at));
         }
         if blows {
             for (b, before) in self.before(poses).into_iter().enumerate() {
@@ -668,11 +609,11 @@ impl<'a, T: Real> Mechanism<'a, T> {
             }
             return forces;
         }
-        for (s, (strut, natural)) in self.scene.struts.iter().zip(&self.natural).enumerate() {
+        for (s, (strut, natural)) in self.scene.struts.iter().zip(&self.layout.natural).enumerate() {
             if strut.twists() || strut.acts != Acts::Both && self.stretch(poses, s).is_zero() {
                 continue;
             }
-            let (other, _, apart) = self.strut(poses, strut.at, &strut.to);
+            let apart = self.layout.span(poses, s);
             let stiffness =
                 plant!("eom: stiffness of a spring in the plane", self.n.massive(strut.stiffness_n_m));
             let slope = if natural.is_zero() {
@@ -681,7 +622,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
                 stiffness - stiffness * *natural / dot(apart, apart).root()
             };
             force(strut.at.body, apart.map(|x| x * slope), self.lever(poses, strut.at));
-            if let Some(other) = other {
+            if let StrutEnd::Spot(other) = strut.to {
                 force(other.body, apart.map(|x| -(x * slope)), self.lever(poses, other));
             }
         }
@@ -821,8 +762,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
     fn before(&self, poses: &Poses<T>) -> Rates<T> {
         let mut before: Rates<T> = smallvec![[T::zero(); 3]; self.n.bodies.len()];
         for (b, arrives) in self.scene.arrivals() {
-            let spin =
-                plant!("eom: spin before an impact", self.n.get(arrives.spin_rad_s).signed(self.scene.sense(b)));
+            let spin = plant!(
+                "eom: spin before an impact",
+                self.n.get(arrives.spin_rad_s).signed(self.scene.sense(b))
+            );
             let speed = plant!("eom: speed before an impact", self.n.get(arrives.speed_m_s));
             let [c, s] = pose::direction(self.n, arrives.direction_deg);
             let pin = self.scene.turns_about((b, arrives));
@@ -1140,27 +1083,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
     pub fn height(&self, state: &State<T>, body: usize) -> T {
         self.centre(&state.poses, body)[1]
     }
-    /// How far a spring is longer than it naturally is, or the body of a torsion spring turned beyond where that is relaxed; 0 where it
-    /// does not act.
+    /// How far a spring is stretched, or the body of a torsion spring turned beyond where that is relaxed; 0 where it does not act.
     fn stretch(&self, poses: &Poses<T>, strut: usize) -> T {
-        if self.idles(poses, strut) { T::zero() } else { self.beyond(poses, strut) }
-    }
-    /// Is a spring that only pushes or pulls away from where it does?
-    pub fn idles(&self, poses: &Poses<T>, strut: usize) -> bool {
-        let beyond = self.beyond(poses, strut).sign();
-        match self.scene.struts[strut].acts {
-            Acts::Both => false,
-            Acts::Pushes => beyond > 0.0,
-            Acts::Pulls => beyond < 0.0,
-        }
-    }
-    fn beyond(&self, poses: &Poses<T>, strut: usize) -> T {
-        let s = &self.scene.struts[strut];
-        if let (true, Some(planar)) = (s.twists(), self.scene.planar(s.at.body)) {
-            return pose::turned_from(planar, poses[s.at.body].axis, self.relaxed[strut]);
-        }
-        let (_, _, apart) = self.strut(poses, s.at, &s.to);
-        dot(apart, apart).root().balance(-self.natural[strut])
+        let beyond = self.layout.beyond(poses, strut);
+        if self.layout.acts(strut, beyond) { beyond } else { T::zero() }
     }
     /// The force of a spring that is stretched by its natural length, N, or the moment of one that is turned by 1 rad, N m; 0 where its
     /// stretch is given.
@@ -1168,50 +1094,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let s = &self.scene.struts[strut];
         let by = match s.rest {
             _ if s.twists() => T::of(1.0),
-            Rest::Length(_) => self.natural[strut],
+            Rest::Length(_) => self.layout.natural[strut],
             Rest::Stretch(_) => T::zero(),
         };
         (self.n.massive(s.stiffness_n_m) * by).size()
-    }
-    /// Where springs that only push or pull are met or let go of on a way from the start: which, and the leading angle.
-    pub fn meets(&self, sense: f64, far: (T, T)) -> SmallVec<[(usize, T); 4]> {
-        let one_sided = |s: &usize| self.scene.struts[*s].acts != Acts::Both;
-        let all = (0..self.scene.struts.len()).filter(one_sided);
-        let ways = all.flat_map(|s| {
-            let [met, _] = self.passes(s, sense, far);
-            met.into_iter().map(move |way| (s, way.signed(sense)))
-        });
-        ways.collect()
-    }
-    /// After which ways a spring has its natural length, and where it is shortest or longest: between two of those it is met once at
-    /// most, however short it is.
-    pub fn passes(&self, strut: usize, sense: f64, far: (T, T)) -> [SmallVec<[T; 4]>; 2] {
-        let Strut { at, ref to, .. } = self.scene.struts[strut];
-        let poses = |way: T| self.poses(way.signed(sense), false);
-        let square = |way: T| {
-            let (_, _, apart) = self.strut(&poses(way)?, at, to);
-            Ok::<_, Refusal>(dot(apart, apart))
-        };
-        let turns =
-            if self.scene.struts[strut].twists() { SmallVec::new() } else { root::turns(far, &square) };
-        let value = |way: T| Ok::<_, Refusal>(self.beyond(&poses(way)?, strut));
-        [root::changes(far, &turns, &value).unwrap_or_default(), turns]
-    }
-    /// [`Layout::in_line`].
-    pub fn in_line(&self, way: T) -> Option<Obstacle> {
-        self.layout.in_line(way)
-    }
-    /// [`Layout::looks_farther`].
-    pub fn looks_farther(&mut self) -> bool {
-        self.layout.looks_farther()
-    }
-    /// [`Layout::horizon`].
-    pub fn horizon(&self) -> T {
-        self.layout.horizon()
-    }
-    /// [`Layout::overruns`].
-    pub fn overruns(&self, sense: f64, far: (T, T)) -> Option<(T, Obstacle)> {
-        self.layout.overruns(&self.relaxed, sense, far)
     }
     /// Does a point of a body pass on this way through the surface that pushes another one of its points? One that starts beyond is no
     /// part of what the surface bears; what stands out over the rim of a wheel runs beside its rail.
@@ -1226,7 +1112,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
                 _ => return None,
             };
             let above = |spot: Spot, way: T| {
-                let [x, y] = self.place(&self.poses(way.signed(sense), false)?, spot);
+                let [x, y] = self.layout.spot(spot, &self.poses(way.signed(sense), false)?);
                 Ok::<_, Refusal>((y - through[1]) * *c - (x - through[0]) * *s + margin)
             };
             let points = self.scene.planar(at.body).map_or(0, |p| p.points.len());

@@ -57,7 +57,7 @@ pub fn at_once<T: Real>(teller: &mut Teller<T>, spin: T, nothing: &[f64]) -> Res
 /// An instant of what is driven with this angular acceleration: from rest it sets off as it is driven.
 fn driven<T: Real>(teller: &mut Teller<T>, alpha: T, spin: T) -> Result<(), Refusal> {
     let (scene, mechanism) = (teller.scene, teller.mechanism);
-    let way = if spin.is_zero() { alpha / mechanism.ratio() } else { spin };
+    let way = if spin.is_zero() { alpha / mechanism.layout.ratio() } else { spin };
     let state = mechanism.state(T::zero(), true)?;
     let slides = sliding(mechanism, &state, (mechanism.moving(&state), way.sign()));
     outcome::all_slide(scene, &slides)?;

@@ -124,7 +124,12 @@ impl<T: Real> Motion<'_, '_, T> {
             }
             Ok(fallen.is_some())
         };
-        match self.over((T::zero(), self.variable(self.mechanism.horizon())), self.from, false, &mut visit) {
+        match self.over(
+            (T::zero(), self.variable(self.mechanism.layout.horizon())),
+            self.from,
+            false,
+            &mut visit,
+        ) {
             Ok(_) => greatest.scale2(1).root(),
             Err(_) => T::of(f64::INFINITY),
         }

@@ -4,11 +4,10 @@ use crate::num::plant::plant;
 use crate::num::{Dd, Real, gauss, root, trig};
 use crate::scene::pose::Obstacle;
 use crate::scene::{Acts, Label, Owner, Quantity, Spot, pose};
-use crate::solve::eom::joined::{BESIDE, Fine, Gain, Motion, PUSHES, SHORT, SHORTEST, Teller, look};
+use crate::solve::eom::joined::{BESIDE, Fine, Gain, Motion, PUSHES, SHORT, SHORTEST, Teller, look, meets};
 use crate::solve::eom::planar::{Response, State};
 use crate::solve::eom::{SMALL, couple_on};
 use crate::solve::outcome::{Course, Held, Refusal, Said};
-use smallvec::SmallVec;
 
 /// A way on which springs act is looked at in so many places at least.
 const PIECES: f64 = 9.0;
@@ -98,7 +97,7 @@ impl<T: Real> Teller<'_, '_, T> {
         let drive = |way: T| Ok(mechanism.leading(&at(way)?.1).0);
         let sense = drive(T::zero())?.sign();
         let full = T::constant(Dd::PI.scale2(1));
-        let overruns = |far: T| mechanism.overruns(sense, (far, look()));
+        let overruns = |far: T| mechanism.layout.overruns(sense, (far, look()));
         let found = if sense == 0.0 {
             Some(T::zero())
         } else {
@@ -114,7 +113,7 @@ impl<T: Real> Teller<'_, '_, T> {
         let stiffness = match found {
             Some(way) => {
                 // No difference is taken across a place where a spring is met; just there nothing oscillates evenly.
-                let meets = [1.0, -1.0].into_iter().flat_map(|sense| mechanism.meets(sense, (full, look())));
+                let meets = [1.0, -1.0].into_iter().flat_map(|sense| meets(mechanism, sense, full));
                 let apart = meets.map(|(_, at)| (at - way).abs().scale2(-1));
                 let widest = apart.fold(look(), |one, other| if other.below(one) { other } else { one });
                 let slope = if widest.size() < SHORTEST { T::zero() } else { slope(&drive, way, widest)? };
@@ -133,11 +132,11 @@ impl<T: Real> Teller<'_, '_, T> {
         if let Some((_, obstacle)) = overruns(way.abs()) {
             return Err(Refusal::Beyond(obstacle));
         }
-        self.tell_met(&mechanism.meets(sense, (way.abs(), look())), way.abs())?;
+        self.tell_met(&meets(mechanism, sense, way.abs()), way.abs())?;
         let (of, frequency) = (Owner::Body(mechanism.lead), stiffness.root());
         self.say(Quantity::OmegaSmall, of, frequency);
         self.say(Quantity::PeriodSmall, of, T::constant(Dd::PI.scale2(1)) / frequency);
-        self.say_scaled(Quantity::Phi, of, mechanism.turned(way.abs()), 1.0);
+        self.say_scaled(Quantity::Phi, of, mechanism.layout.turned(way.abs()), 1.0);
         let ((first, _), (state, response)) = (at(T::zero())?, at(way)?);
         for b in 0..scene.bodies.len() {
             self.tell_risen(b, mechanism.height(&first, b), mechanism.height(&state, b));
@@ -155,12 +154,8 @@ impl<T: Real> Teller<'_, '_, T> {
         sense: f64,
         drive: &dyn Fn(T) -> Result<T, Refusal>,
     ) -> Result<Option<T>, Refusal> {
-        let stretched = (0..self.scene.struts.len()).filter(|s| !self.scene.struts[*s].twists());
-        let all = stretched.flat_map(|s| self.mechanism.passes(s, sense, (full, look())));
-        let mut stops: SmallVec<[T; 4]> = all.flatten().collect();
-        stops.sort_unstable_by(|a, b| a.f64().total_cmp(&b.f64()));
-        let look = look::<T>().f64();
-        let stops = stops.into_iter().chain([full]);
+        let met = self.mechanism.layout.meets(true, sense, (full, look()));
+        let (stops, look) = (met.into_iter().map(|(_, way)| way).chain([full]), look::<T>().f64());
         let Some([low, high]) = root::leaves(stops, [look, look, PIECES], false, drive, &mut |_| ())? else {
             return Ok(None);
         };
@@ -183,7 +178,7 @@ impl<T: Real> Teller<'_, '_, T> {
             near: T::zero(),
             slides: nothing.clone().collect(),
             rubs: nothing.collect(),
-            meets: mechanism.meets(way.sign(), (way.abs(), look())),
+            meets: meets(mechanism, way.sign(), way.abs()),
             pendulum: None,
             fine: Fine::of::<T>(self.scene, false),
             steady: false,
@@ -200,7 +195,8 @@ impl<T: Real> Teller<'_, '_, T> {
         for s in (0..self.scene.struts.len()).filter(|s| self.scene.struts[*s].acts != Acts::Both) {
             let first =
                 meets.iter().find(|(strut, _)| *strut == s).map_or(f64::INFINITY, |(_, at)| at.size());
-            let met = if self.mechanism.idles(&begin, s) { first } else { 0.0 };
+            let layout = &self.mechanism.layout;
+            let met = if layout.acts(s, layout.beyond(&begin, s)) { 0.0 } else { first };
             self.road.held.push(Held::Met(s, met, T::leading(|| way.f64())));
         }
         Ok(())
@@ -400,7 +396,7 @@ impl<T: Real> Teller<'_, '_, T> {
             }
             sums
         };
-        let at = mechanism.place(&state.poses, pin);
+        let at = mechanism.layout.spot(pin, &state.poses);
         let [mass, x, y, inertia] = about(at);
         let centre = [at[0] + x / mass, at[1] + y / mass];
         let size = mechanism.size();
