@@ -48,20 +48,20 @@ impl<X: Copy> Pose<X> {
     {
         plus(self.origin, from_origin(self.axis, at))
     }
+    /// The distances of a place from the origin of the axis, along it and to its left.
+    pub fn within<T: Real>(&self, place: [X; 2]) -> [X; 2]
+    where
+        X: Followed<T>,
+    {
+        let from = less(place, self.origin);
+        [dot(from, self.axis), dot(from, left(self.axis))]
+    }
     /// With this point at this place.
     fn through<T: Real>(axis: [X; 2], at: [T; 2], place: [X; 2]) -> Self
     where
         X: Followed<T>,
     {
         Self { origin: less(place, from_origin(axis, at)), axis }
-    }
-}
-
-impl<T: Real> Pose<T> {
-    /// The distances of a place from the origin of the axis, along it and to its left.
-    pub fn within(&self, place: [T; 2]) -> [T; 2] {
-        let from = less(place, self.origin);
-        [dot(from, self.axis), dot(from, left(self.axis))]
     }
 }
 
@@ -530,17 +530,17 @@ impl<T: Real> Arc<T> {
 
 /// A surface where a body touches it.
 #[derive(Debug, Clone, Copy)]
-pub struct Touch<T> {
+pub struct Touch<T, X> {
     /// Unit vector from the surface to the body.
-    pub normal: [T; 2],
+    pub normal: [X; 2],
     /// Unit vector along the surface, in the sense in which friction is told; of teeth, to the right of that.
-    pub along: [T; 2],
+    pub along: [X; 2],
     /// Radius of the wheel, negative where it touches on its inner side, and where the surface rises to the left.
     pub radius: T,
     /// The same, whichever side the surface rises to.
     pub rim: T,
     /// Curvature of the way of its centre, positive where it bends away from the normal.
-    pub bend: T,
+    pub bend: X,
 }
 
 /// Sum of all weights and of what springs exert that are stretched by the size of everything, N: what forces are small beside.
@@ -956,27 +956,26 @@ impl<'a, T: Real> Layout<'a, T> {
         line.map(|x| x.signed(forth))
     }
     /// How a body touches the surface of a joint with its centre at this place; `line` is the direction of a straight one.
-    pub fn touch(&self, joint: usize, centre: [T; 2], line: [T; 2]) -> Option<Touch<T>> {
+    pub fn touch<X: Followed<T>>(&self, joint: usize, centre: [X; 2], line: [X; 2]) -> Option<Touch<T, X>> {
         let kind = &self.scene.joints[joint].kind;
         let ((_, radius_m, surface), [_, teeth]) = (kind.surface()?, kind.rolls());
         let own = self.n.get(radius_m);
         let (normal, bend, radius) = match surface {
-            Surface::Line(_) => (left(line), T::zero(), own),
+            Surface::Line(_) => (left(line), X::still(T::zero()), own),
             Surface::Arc { centre_m, radius_m, inside, .. } => {
                 // A hoop hangs on its inner side.
                 let radius = if inside && self.n.get(radius_m).below(own) { -own } else { own };
-                let axis = ground(self.n, centre_m);
-                let out = [centre[0] - axis[0], centre[1] - axis[1]];
-                let apart = (out[0].square() + out[1].square()).root();
-                let sense = if inside { -1.0 } else { 1.0 };
-                (out.map(|x| (x / apart).signed(sense)), (T::of(1.0) / apart).signed(sense), radius)
+                let out = less(centre, fixed(ground(self.n, centre_m)));
+                let apart = dot(out, out).square_root();
+                let sense = |x: X| if inside { -x } else { x };
+                (out.map(|x| sense(x / apart)), sense(X::still(T::of(1.0)) / apart), radius)
             }
         };
         let right = [normal[1], -normal[0]];
-        let up = if teeth { 1.0 } else { upward(right) };
+        let up = if teeth { 1.0 } else { upward(right.map(X::here)) };
         Some(Touch {
             normal,
-            along: right.map(|x| x.signed(up)),
+            along: if up < 0.0 { right.map(|x| -x) } else { right },
             radius: radius.signed(up),
             rim: radius,
             bend,

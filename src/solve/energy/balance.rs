@@ -72,7 +72,7 @@ pub fn powers<T: Real>(scene: &Scene, n: &Numbers<T>, mode: &Mode<T>, friction: 
     }
     for c in &scene.couples {
         let turn = mode.w[c.body] * plant!("energy: work of a couple", n.massive(c.moment_n_m));
-        list.push(Power { tie: None, power: if c.forward { turn } else { -turn } });
+        list.push(Power { tie: None, power: c.signed(turn) });
     }
     for (t, tie) in scene.ties.iter().enumerate() {
         let power = match tie {
@@ -121,7 +121,7 @@ fn works_along<T: Real>(scene: &Scene, n: &Numbers<T>, mode: &Mode<T>, of: Given
         },
         GivenForce::Couple(i) => {
             let couple = &scene.couples[i];
-            mode.w[couple.body].signed(if couple.forward { 1.0 } else { -1.0 })
+            couple.signed(mode.w[couple.body])
         }
     }
 }
@@ -232,7 +232,7 @@ fn alone<T: Real>(scene: &Scene, n: &Numbers<T>, c: Coordinate, own: T, pulls: &
         let growth = grown(scene, n, GivenForce::Couple(i));
         let moment = n.massive(k.moment_n_m);
         let moment = growth.map_or(moment, |growth| moment + growth * pulls[0]);
-        surplus = surplus + if k.forward { moment } else { -moment };
+        surplus = surplus + k.signed(moment);
         size += moment.size();
     }
     (surplus, size)

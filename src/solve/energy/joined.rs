@@ -20,9 +20,7 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Jet, Real, ball, trig};
 use crate::scene::pose::{self, Layout, Obstacle, Pose};
-use crate::scene::{
-    Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Quantity, Scene, Spot, Surface,
-};
+use crate::scene::{Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Quantity, Scene, Spot};
 use crate::solve::energy::pendulum::Pendulum;
 use crate::solve::method::Method;
 use crate::solve::outcome::{self, Course, Refusal, Road, Scope};
@@ -177,10 +175,10 @@ fn right<T: Real>([x, y]: Vector<T>) -> Vector<T> {
 }
 
 /// Moment of a unit vector at a point of a body about the origin of its axis.
-fn about<T: Real>(poses: &Poses<T>, body: usize, [along, aside]: Vector<T>, u: Vector<T>) -> T {
-    let [c, s] = poses[body].axis.map(|x| x.value);
+fn about<T: Real, X: Followed<T>>([c, s]: [X; 2], [along, aside]: [X; 2], u: [X; 2]) -> X {
     let turn = along * (u[1] * c - u[0] * s);
-    if aside.is_nothing() { turn } else { turn - aside * (u[0] * c + u[1] * s) }
+    let on_axis = aside.here().is_nothing() && aside.derivatives().iter().all(|x| x.is_nothing());
+    if on_axis { turn } else { turn - aside * (u[0] * c + u[1] * s) }
 }
 
 /// Everything that work and energy say of a scene of joined bodies, the time only if it is asked, and at how many places they looked.
@@ -461,123 +459,133 @@ impl<'a, T: Real> Account<'a, T> {
         solved
     }
 
-    /// What the joints forbid: the rows of their conditions, where a guide rubs that of its normal force with its friction.
-    /// `held` is the motion that the last rows keep from: the leading angle, and a drift.
-    fn conditions(&self, poses: &Poses<T>, virtually: bool, rights: usize) -> (Equations<T>, OfJoint) {
-        let columns = 3 * self.scene.bodies.len();
-        let mut rows = Equations::with_rights(columns, rights);
-        let mut of_joint = OfJoint::new();
+    /// What the joints forbid, as the bodies lie: tells of each condition its joint, and which rates of which bodies (three each) make with
+    /// which shares the velocity that it keeps at 0; where a guide rubs that of its normal force with its friction.
+    fn forbidden<X: Followed<T>>(
+        &self,
+        poses: &pose::Poses<X>,
+        virtually: bool,
+        tell: &mut dyn FnMut(usize, &[(usize, X)]),
+    ) {
+        let [none, one] = [T::zero(), T::of(1.0)].map(X::still);
+        let both = [[one, none], [none, one]];
         // From a point to the place to which its cord leads.
         let tight = |at: Spot, place_m: [Num; 2]| {
-            let (near, far) = (self.point(poses, at), pose::ground(self.n, place_m));
-            let apart = [far[0] - near[0].value, far[1] - near[1].value];
-            let length = dot(apart, apart).root();
+            let apart = pose::less(pose::ground(self.n, place_m).map(X::still), self.layout.spot(at, poses));
+            let length = (apart[0] * apart[0] + apart[1] * apart[1]).square_root();
             apart.map(|x| x / length)
         };
-        let mut count = 0;
-        // Of each straight guide its body, what carries it, its direction, its normal with its friction, and its row.
-        let mut guides: SmallVec<[(Guided, Vector<T>, usize); 4]> = SmallVec::new();
-        let mut parallel: SmallVec<[(usize, usize, Guided); 2]> = SmallVec::new();
         for (j, (joint, rubs)) in self.scene.joints.iter().zip(&self.rubs).enumerate() {
-            let (mut rim, mut below, [rolls, teeth]) = (T::zero(), T::zero(), joint.kind.rolls());
-            let ground: Option<(Spot, SmallVec<[Vector<T>; 2]>)> = match joint.kind {
-                JointKind::Pin { at, .. } => {
-                    Some((at, smallvec![[T::of(1.0), T::zero()], [T::zero(), T::of(1.0)]]))
-                }
-                JointKind::Guide { at, .. } | JointKind::Contact { at, .. } => {
-                    let rub = match joint.kind.mu_k() {
-                        Some(mu) if virtually && *rubs != 0.0 => {
-                            plant!("energy: friction in a guide", self.n.get(mu)).signed(*rubs)
-                        }
-                        _ => T::zero(),
-                    };
-                    let centre = self.point(poses, at).map(|x| x.value);
-                    self.layout.touch(j, centre, self.line(poses, j)).map(|touch| {
-                        rim = plant!("energy: radius of a rolling wheel", touch.radius);
-                        below = -(rub * plant!("energy: radius at which a wheel rubs", touch.rim));
-                        let [x, y] = touch.normal;
-                        let both = [[x - rub * y, y + rub * x], touch.along];
-                        (at, both[usize::from(teeth)..1 + usize::from(rolls)].iter().copied().collect())
-                    })
-                }
-                JointKind::Cord { at, place_m, .. } => Some((at, smallvec![tight(at, place_m)])),
-                JointKind::Hinge { .. } => None,
-            };
-            if let (true, Some((at, directions)), JointKind::Guide { line, .. }) =
-                (T::ENCLOSES, &ground, joint.kind)
-            {
-                let (own, u) = ((at.body, line.on.map(|on| on.body), line.direction_deg), directions[0]);
-                let alike = |(guided, v, _): &&(Guided, Vector<T>, usize)| {
-                    *guided == own && u[0].same(v[0]) && u[1].same(v[1])
-                };
-                match guides.iter().find(alike) {
-                    Some((.., row)) => parallel.push((*row, count, own)),
-                    None => guides.push((own, u, count)),
-                }
-            }
-            let mut own: SmallVec<[usize; 2]> = SmallVec::new();
-            let mut add = |ends: &[(Spot, Vector<T>, T)]| {
-                let row = rows.row();
-                let mut end = |body: usize, r: Vector<T>, u: Vector<T>, rim: T| {
+            let mut add = |ends: &[(Spot, [X; 2], X)]| {
+                let mut parts: SmallVec<[(usize, X); 12]> = SmallVec::new();
+                let mut end = |body: usize, r: [X; 2], u: [X; 2], rim: X| {
                     // Velocities of the point by those of the origin and the turn.
-                    let at = 3 * body;
-                    row[at] = row[at] + u[0];
-                    row[at + 1] = row[at + 1] + u[1];
+                    parts.extend([(3 * body, u[0]), (3 * body + 1, u[1])]);
                     if self.scene.bodies[body].turns {
-                        row[at + 2] = row[at + 2]
-                            + plant!("energy: turn about the origin of the axis", about(poses, body, r, u))
-                            + rim;
+                        parts.push((3 * body + 2, about(poses[body].axis, r, u) + rim));
                     }
                 };
                 for (spot, u, rim) in ends {
-                    end(spot.body, pose::of_spot(self.scene, self.n, *spot), *u, *rim);
+                    end(spot.body, pose::of_spot(self.scene, self.n, *spot).map(X::still), *u, *rim);
                     if let Some(on) = joint.kind.bearer() {
                         // What carries the line, or turns under it, moves at the same place.
-                        let place = self.point(poses, *spot).map(|x| x.value);
-                        let back = u.map(|x| plant!("energy: velocity of what carries a line", -x));
-                        end(on.body, poses[on.body].here().within(place), back, -*rim);
+                        let back = plant!("energy: velocity of what carries a line", T::of(-1.0));
+                        let place = poses[on.body].within(self.layout.spot(*spot, poses));
+                        end(on.body, place, u.map(|x| x.by(back)), -*rim);
                     }
                 }
-                own.push(count);
-                count += 1;
+                tell(j, &parts);
             };
-            match (ground, joint.kind) {
-                // What comes off the one end of a cord goes to the other.
-                (Some((at, directions)), JointKind::Cord { beyond: Some((to, place_m)), .. }) => {
-                    let far = tight(to, place_m).map(|x| plant!("energy: other end of a cord", x));
-                    add(&[(at, directions[0], T::zero()), (to, far, T::zero())]);
-                }
-                // The last condition of a wheel that rolls is that its rim does not slip; where it slips, friction acts at the rim.
-                (Some((at, directions)), _) => {
-                    for (i, u) in directions.iter().enumerate() {
-                        let slips = rolls && i + 1 == directions.len();
-                        add(&[(at, *u, if slips { rim } else { below })]);
-                    }
-                }
-                (None, JointKind::Hinge { one, other, turned_deg }) => {
-                    let none = T::zero();
-                    for u in [[T::of(1.0), none], [none, T::of(1.0)]] {
-                        add(&[(one, u, none), (other, u.map(|x| -x), none)]);
-                    }
+            match joint.kind {
+                JointKind::Pin { at, .. } => both.iter().for_each(|u| add(&[(at, *u, none)])),
+                JointKind::Hinge { one: first, other, turned_deg } => {
+                    both.iter().for_each(|u| add(&[(first, *u, none), (other, u.map(|x| -x), none)]));
                     if turned_deg.is_some() {
-                        let turn = plant!("energy: turn of a weld", T::of(-1.0));
-                        add(&[(one, [none; 2], T::of(1.0)), (other, [none; 2], turn)]);
+                        let turn = X::still(plant!("energy: turn of a weld", T::of(-1.0)));
+                        add(&[(first, [none; 2], one), (other, [none; 2], turn)]);
                     }
                 }
-                _ => {}
+                JointKind::Guide { at, .. } | JointKind::Contact { at, .. } => {
+                    let line = self.layout.line(j, poses);
+                    let Some(touch) = self.layout.touch(j, self.layout.spot(at, poses), line) else {
+                        continue;
+                    };
+                    let [rolls, teeth] = joint.kind.rolls();
+                    if !teeth {
+                        let rub = match joint.kind.mu_k() {
+                            Some(mu) if virtually && *rubs != 0.0 => {
+                                plant!("energy: friction in a guide", self.n.get(mu)).signed(*rubs)
+                            }
+                            _ => T::zero(),
+                        };
+                        let [x, y] = touch.normal;
+                        let rim = plant!("energy: radius at which a wheel rubs", touch.rim);
+                        add(&[(at, [x - y.by(rub), y + x.by(rub)], X::still(-(rub * rim)))]);
+                    }
+                    if rolls {
+                        // The rim does not slip.
+                        let rim = plant!("energy: radius of a rolling wheel", touch.radius);
+                        add(&[(at, touch.along, X::still(rim))]);
+                    }
+                }
+                JointKind::Cord { at, place_m, beyond, .. } => {
+                    // What comes off the one end of a cord goes to the other.
+                    let other = plant!("energy: other end of a cord", T::of(1.0));
+                    let far = beyond.map(|(to, place)| (to, tight(to, place).map(|x| x.by(other)), none));
+                    let ends: SmallVec<[_; 2]> =
+                        std::iter::once((at, tight(at, place_m), none)).chain(far).collect();
+                    add(&ends);
+                }
             }
-            of_joint.push(own);
         }
+    }
+
+    /// The same as equations for the rates, with the rows of each joint.
+    fn conditions(&self, poses: &Poses<T>, virtually: bool, rights: usize) -> (Equations<T>, OfJoint) {
+        let columns = 3 * self.scene.bodies.len();
+        let mut rows = Equations::with_rights(columns, rights);
+        let mut of_joint: OfJoint = self.scene.joints.iter().map(|_| SmallVec::new()).collect();
+        let mut count = 0;
+        let here: pose::Poses<T> = poses.iter().map(Pose::here).collect();
+        self.forbidden(&here, virtually, &mut |joint, parts| {
+            let row = rows.row();
+            for (at, x) in parts {
+                let turns = at % 3 == 2;
+                row[*at] = row[*at]
+                    + if turns { plant!("energy: turn about the origin of the axis", *x) } else { *x };
+            }
+            of_joint[joint].push(count);
+            count += 1;
+        });
         for (b, body) in self.scene.bodies.iter().enumerate() {
             if !body.turns {
                 rows.row()[3 * b + 2] = T::of(1.0);
             }
         }
-        for (one, other, (body, on, _)) in parallel {
-            let [own, its] = [body, on.unwrap_or(body)].map(|b| 3 * b);
-            rows.alike(one, other, [own, own + 1, its, its + 1]);
+        if T::ENCLOSES {
+            self.parallel_guides(&mut rows, &of_joint);
         }
         (rows, of_joint)
+    }
+
+    /// Tells which guides of one body on one other or on the ground are parallel.
+    fn parallel_guides(&self, rows: &mut Equations<T>, of_joint: &OfJoint) {
+        let mut guides: SmallVec<[(Guided, Vector<T>, usize); 4]> = SmallVec::new();
+        for (joint, own) in self.scene.joints.iter().zip(of_joint) {
+            let (JointKind::Guide { at, line, .. }, [row]) = (joint.kind, &own[..]) else { continue };
+            let (guided, on) = ((at.body, line.on.map(|on| on.body), line.direction_deg), line.on);
+            let u = [0, 1].map(|i| rows.right_of(*row)[3 * at.body + i]);
+            let alike = |(other, v, _): &&(Guided, Vector<T>, usize)| {
+                *other == guided && u[0].same(v[0]) && u[1].same(v[1])
+            };
+            match guides.iter().find(alike) {
+                Some((.., first)) => {
+                    let [own, its] = [at.body, on.map_or(at.body, |on| on.body)].map(|b| 3 * b);
+                    rows.alike(*first, *row, [own, own + 1, its, its + 1]);
+                }
+                None => guides.push((guided, u, *row)),
+            }
+        }
     }
 
     /// Adds that the mass centre of the leading body keeps from drifting, where nothing but that holds it.
@@ -596,16 +604,17 @@ impl<'a, T: Real> Account<'a, T> {
     fn leading(&self, poses: &Poses<T>, rows: &mut Equations<T>, rate: T) {
         let (columns, at) = (3 * self.scene.bodies.len(), 3 * self.lead);
         let (mut along, mut turn) = ([T::zero(); 2], T::of(1.0));
+        let axis = poses[self.lead].axis.map(|x| x.value);
         if let Some(unit) = self.layout.glide() {
             let centre = [self.centres[self.lead].0, T::zero()];
-            (along, turn) = (unit, about(poses, self.lead, centre, unit));
+            (along, turn) = (unit, about(axis, centre, unit));
         }
         if let Some(arc) = self.layout.arc()
             && let Some(spot) = self.scene.joints[arc.joint].kind.spots().next()
         {
             let place = self.point(poses, spot).map(|x| x.value);
             along = [arc.axis[1] - place[1], place[0] - arc.axis[0]];
-            turn = about(poses, self.lead, pose::of_spot(self.scene, self.n, spot), along);
+            turn = about(axis, pose::of_spot(self.scene, self.n, spot), along);
         }
         let row = rows.row();
         (row[at], row[at + 1], row[at + 2], row[columns]) = (along[0], along[1], turn, rate);
@@ -865,7 +874,7 @@ impl<'a, T: Real> Account<'a, T> {
                 self.say(road, Quantity::Rise, Owner::Body(b), risen);
             }
         }
-        if let Some(moment) = self.couple().filter(|_| self.pinned) {
+        if let Some(moment) = scene.couple_on(self.n, self.lead).filter(|_| self.pinned) {
             self.say(road, Quantity::WorkCouple, Owner::Body(self.lead), moment * way.signed(self.sense));
         }
         let rate = rate.signed(self.sense);
@@ -1054,7 +1063,7 @@ impl<'a, T: Real> Account<'a, T> {
             for (body, u) in std::iter::once((at.body, u)).chain(on) {
                 row[3 * body] = row[3 * body] + u[0];
                 row[3 * body + 1] = row[3 * body + 1] + u[1];
-                row[3 * body + 2] = row[3 * body + 2] + about(poses, body, here[body].within(place), u);
+                row[3 * body + 2] = row[3 * body + 2] + about(here[body].axis, here[body].within(place), u);
             }
         }
         let reduced = self.settled(|| rows.reduce(&[]));
@@ -1077,52 +1086,13 @@ impl<'a, T: Real> Account<'a, T> {
             }
         };
         let onward: Poses<T> = poses.iter().zip(motion).map(onward).collect();
-        let length = |[x, y]: [Jet<T>; 2]| (x * x + y * y).square_root();
-        let from = |at: Spot, [x, y]: [Jet<T>; 2]| {
-            let [px, py] = self.point(&onward, at);
-            [px - x, py - y]
-        };
-        let (mut rows, of_joint) = self.conditions(poses, false, 1);
-        let columns = 3 * self.scene.bodies.len();
-        for (j, (joint, own)) in self.scene.joints.iter().zip(&of_joint).enumerate() {
-            let apart: SmallVec<[T; 2]> = match joint.kind {
-                JointKind::Pin { at, .. } => self.point(&onward, at).map(|x| x.second).into_iter().collect(),
-                JointKind::Hinge { one, other, .. } => {
-                    let off = from(one, self.point(&onward, other));
-                    off.map(|x| x.second).into_iter().chain([T::zero()]).take(own.len()).collect()
-                }
-                JointKind::Cord { at, place_m, beyond, .. } => {
-                    let ends = std::iter::once((at, place_m)).chain(beyond);
-                    let all = ends.map(|(at, place)| {
-                        length(from(at, pose::ground(self.n, place).map(Jet::fixed))).second
-                    });
-                    smallvec![-all.fold(T::zero(), |sum, x| sum + x)]
-                }
-                JointKind::Guide { at, .. } | JointKind::Contact { at, .. } => {
-                    let place = self.point(poses, at).map(|x| x.value);
-                    let Some(touch) = self.layout.touch(j, place, self.line(poses, j)) else { continue };
-                    let [rolls, teeth] = joint.kind.rolls();
-                    let [x, y] = self.layout.line(j, &onward);
-                    let both = match joint.kind.surface() {
-                        Some((_, _, Surface::Arc { centre_m, inside, .. })) => {
-                            let out = from(at, pose::ground(self.n, centre_m).map(Jet::fixed));
-                            let along = dot(touch.along, out.map(|x| x.second));
-                            [length(out).second.signed(if inside { -1.0 } else { 1.0 }), along]
-                        }
-                        _ => {
-                            let on = joint.kind.carrier().map(|on| self.point(&onward, on));
-                            let [px, py] = from(at, on.unwrap_or([Jet::fixed(T::zero()); 2]));
-                            let up = dot(touch.along, [x.value, y.value]).sign();
-                            [(x * py - y * px).second, (x * px + y * py).second.signed(up)]
-                        }
-                    };
-                    both[usize::from(teeth)..1 + usize::from(rolls)].iter().copied().collect()
-                }
-            };
-            for (row, apart) in own.iter().zip(apart) {
-                rows.right_of(*row)[columns] = plant!("energy: what keeps joints together", -apart);
-            }
-        }
+        let (mut rows, _) = self.conditions(poses, false, 1);
+        let (columns, mut row) = (3 * self.scene.bodies.len(), 0);
+        self.forbidden(&onward, false, &mut |_, parts| {
+            let apart = parts.iter().fold(T::zero(), |sum, (at, x)| sum + x.first * motion[at / 3][at % 3]);
+            rows.right_of(row)[columns] = -plant!("energy: what keeps joints together", apart);
+            row += 1;
+        });
         self.motion(&self.settled(|| rows.reduce(&[])))
     }
 

@@ -1020,10 +1020,9 @@ impl<'a, T: Real> Ledger<'a, T> {
         // Each couple gives power to the turn that it acts along, and takes it from the other.
         let couples = self.scene.couples.iter().enumerate().filter(|(_, c)| c.body == b);
         let parts = couples.map(|(i, c)| {
-            let along = if c.forward { 1.0 } else { -1.0 };
             let growth = balance::grown(self.scene, &self.n, GivenForce::Couple(i));
             let (work, last) = self.work(self.n.massive(c.moment_n_m), growth, gone, sense);
-            (work.signed(along), (last * gone.speed).signed(along))
+            (c.signed(work), c.signed(last * gone.speed))
         });
         let sum = |one: (T, T), other: (T, T)| (one.0.balance(other.0), one.1.balance(other.1));
         if let Some((work, power)) = parts.reduce(sum) {

@@ -369,9 +369,9 @@ impl<T: Real> Assembly<'_, '_, T> {
         for (i, c) in self.scene.couples.iter().enumerate() {
             let Some(row) = self.layout.turn[c.body] else { continue };
             let moment = plant!("eom: moment of a couple", self.n.massive(c.moment_n_m));
-            self.rows.right(row, CONSTANT, if c.forward { moment } else { -moment });
+            self.rows.right(row, CONSTANT, c.signed(moment));
             if let Some(grown) = self.grown(GivenForce::Couple(i)) {
-                self.rows.right(row, VARYING, if c.forward { grown } else { -grown });
+                self.rows.right(row, VARYING, c.signed(grown));
             }
         }
     }

@@ -13,7 +13,7 @@ use crate::num::gauss::{self, PerNode, Rule, Unsettled};
 use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, root, trig};
-use crate::scene::{End, Numbers, Owner, Quantity, Scene};
+use crate::scene::{End, Numbers, Owner, Quantity, Scene, pose};
 use crate::solve::eom::integrate::{Event, Route, pace};
 use crate::solve::eom::pendulum::Pendulum;
 use crate::solve::eom::planar::{Mechanism, Rates, Response, State};
@@ -241,7 +241,7 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
     if teller.pinned.is_some() {
         teller.tell_lasting(spin)?;
     }
-    let nothing: SmallVec<[f64; 4]> = scene.joints.iter().map(|_| 0.0).collect();
+    let nothing = no_friction(scene);
     if matches!(scene.end, End::AtOnce) {
         return instant::at_once(teller, spin, &nothing);
     }
@@ -252,7 +252,7 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
     if scene.is_struck() {
         let jumps = mechanism.struck(&state)?;
         // What strikes straight at a joint moves nothing.
-        let most = teller.blows() * mechanism.size() / mechanism.inertia(&state).size();
+        let most = pose::blows(scene, teller.n) * mechanism.size() / mechanism.inertia(&state).size();
         spin = spin.balance(mechanism.leading(&jumps).0.cleared(most));
         teller.tell_blow(&state, &jumps);
     }
@@ -269,19 +269,15 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
     let rubs = rubbing(mechanism, &slides, spin.square(), &|rubs| mechanism.respond(&state, rubs))?;
     let rubbed = slides.iter().any(|s| *s != 0.0);
     let factor = if rubbed { T::of(1.0) } else { mechanism.inertia(&state) };
+    let from = Gain { half_square: spin.square().scale2(-1), factor };
     let motion = Motion {
-        mechanism,
-        start: T::zero(),
-        sense,
-        from: Gain { half_square: spin.square().scale2(-1), factor },
-        near: T::zero(),
         slides,
         rubs,
         meets: meets(mechanism, sense, mechanism.layout.horizon()),
         pendulum: teller.pendulum(&state, sense, spin),
-        fine: Fine::of::<T>(scene, false),
         steady: scene.spins_in_place(),
         timed: teller.asked.quantities.has(Quantity::T) || matches!(scene.end, End::Time(..)),
+        ..Motion::new(mechanism, T::zero(), sense, from)
     };
     // Friction may hold what would set off without it.
     let (a, b) = if rubbed { mechanism.leading(&mechanism.respond(&state, &motion.rubs)?) } else { (a, b) };
@@ -296,6 +292,11 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
 /// Step in which places on the way are looked for, radians.
 fn look<T: Real>() -> T {
     T::of(STRIDE / 16.0)
+}
+
+/// For each joint that nothing rubs there.
+fn no_friction(scene: &Scene) -> SmallVec<[f64; 4]> {
+    scene.joints.iter().map(|_| 0.0).collect()
 }
 
 /// Where springs that only push or pull are met or let go of on a way from the start: which, and the leading angle.
@@ -331,6 +332,24 @@ fn rubbing<T: Real>(
 }
 
 impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
+    /// From this place in this sense, where nothing rubs and no spring is met, and which is not known in closed form.
+    fn new(mechanism: &'m Mechanism<'a, T>, start: T, sense: f64, from: Gain<T>) -> Self {
+        let scene = mechanism.scene;
+        Self {
+            mechanism,
+            start,
+            sense,
+            from,
+            near: T::zero(),
+            slides: no_friction(scene),
+            rubs: no_friction(scene),
+            meets: SmallVec::new(),
+            pendulum: None,
+            fine: Fine::of::<T>(scene, false),
+            timed: false,
+            steady: false,
+        }
+    }
     fn angle(&self, way: T) -> T {
         self.start + way.signed(self.sense)
     }

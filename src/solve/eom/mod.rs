@@ -173,13 +173,6 @@ pub fn road_by<T: Real>(
     Ok((found::answering(road.telling(scene), scene, data, of_kind)?, count))
 }
 
-/// Moment of the couples on a body, positive with rolling forward; `None` without any.
-pub(super) fn couple_on<T: Real>(scene: &Scene, n: &Numbers<T>, body: usize) -> Option<T> {
-    let moments = scene.couples.iter().filter(|c| c.body == body);
-    let moments = moments.map(|c| n.massive(c.moment_n_m).signed(if c.forward { 1.0 } else { -1.0 }));
-    moments.reduce(T::balance)
-}
-
 /// A rung, and which quantities are wanted of it.
 pub type Steps<'s> = (Rung, &'s dyn Fn(Quantity) -> bool);
 
@@ -1446,12 +1439,10 @@ impl<'a, T: Real> Walk<'a, T> {
             let alpha = plant!("eom: couple on what is carried", self.acceleration(c, pulls));
             sums.carried = sums.carried.balance(n.inertia * alpha * gone.moved);
         }
-        let Some(moment) = couple_on(self.scene, &self.n, c.body) else { return };
+        let Some(moment) = self.scene.couple_on(&self.n, c.body) else { return };
         // Of all couples on it, whose moment at the start is given.
         let acting = self.scene.couples.iter().enumerate().filter(|(_, k)| k.body == c.body);
-        let growth = acting.filter_map(|(i, k)| {
-            Some(self.response.grown(GivenForce::Couple(i))?.signed(if k.forward { 1.0 } else { -1.0 }))
-        });
+        let growth = acting.filter_map(|(i, k)| Some(k.signed(self.response.grown(GivenForce::Couple(i))?)));
         let growth = growth.reduce(T::balance);
         self.say(Quantity::WorkCouple, of, self.work(moment, growth, &gone, end.sense));
         let last = growth.map_or(moment, |growth| moment + growth);

@@ -25,13 +25,11 @@ use crate::solve::outcome::{self, Refusal};
 use smallvec::{SmallVec, smallvec};
 use std::cell::RefCell;
 
-/// A load of which no more than this share is lacking is carried.
-const SHARED: f64 = 1e-9;
-
 /// A point that is farther below a surface than this share of the size of everything has passed through it.
 const PIERCED: f64 = 1e-9;
 
-/// A speed that is told may be off by this share from what the joints make of the others: printed data round it.
+/// A speed that is told may be off by this share from what the joints make of the others: by the rounding of the doubles that they are
+/// printed as, not by that of a few figures.
 const LOOSE: f64 = 1e-12;
 
 /// Right-hand side of the forces.
@@ -634,7 +632,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
         for c in &self.scene.couples {
             let moment = plant!("eom: moment of a couple in the plane", self.n.massive(c.moment_n_m));
             let moment = moment.signed(self.scene.sense(c.body));
-            forces[c.body][2] = forces[c.body][2].balance(if c.forward { moment } else { -moment });
+            forces[c.body][2] = forces[c.body][2].balance(c.signed(moment));
         }
         forces
     }
@@ -1046,9 +1044,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
                 }
             }
         }
-        let all: f64 = load.iter().map(|x| x.abs()).sum();
-        let carried = shares::lacking(&columns, &load) <= SHARED * all;
-        (!carried).then_some(first.joint)
+        (!shares::carry(&columns, &load)).then_some(first.joint)
     }
     /// Velocity of a mass centre for a unit rate.
     pub fn velocity(&self, state: &State<T>, body: usize) -> Vector<T> {

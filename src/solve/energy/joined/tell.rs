@@ -66,7 +66,7 @@ impl<T: Real> Account<'_, T> {
         }
         for c in &self.scene.couples {
             let bend = poses[c.body].turn().1.signed(self.scene.sense(c.body));
-            sum = sum + self.n.massive(c.moment_n_m) * if c.forward { bend } else { -bend };
+            sum = sum + self.n.massive(c.moment_n_m) * c.signed(bend);
         }
         for (s, (strut, natural)) in self.scene.struts.iter().zip(&self.layout.natural).enumerate() {
             if !self.layout.acts(s, self.layout.beyond(poses, s)) {

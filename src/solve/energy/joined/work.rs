@@ -137,7 +137,7 @@ impl<T: Real> Account<'_, T> {
         self.scene.couples.iter().map(move |c| {
             let moment = plant!("energy: power of a couple in the plane", self.n.massive(c.moment_n_m));
             let turn = motion[c.body][2].signed(self.scene.sense(c.body));
-            (c.body, moment * if c.forward { turn } else { -turn })
+            (c.body, moment * c.signed(turn))
         })
     }
 
@@ -188,7 +188,7 @@ impl<T: Real> Account<'_, T> {
                 gauss::short().integral(rate, (T::zero(), way), 1.0)?.signed(self.scene.sense(c.body))
             };
             let moment = plant!("energy: work of a couple in the plane", self.n.massive(c.moment_n_m));
-            add(moment * if c.forward { turned } else { -turned });
+            add(moment * c.signed(turned));
         }
         for (s, strut) in self.scene.struts.iter().enumerate() {
             let stiffness =

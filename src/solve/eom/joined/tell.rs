@@ -4,9 +4,9 @@ use crate::num::plant::plant;
 use crate::num::{Dd, Real, gauss, root, trig};
 use crate::scene::pose::Obstacle;
 use crate::scene::{Acts, Label, Owner, Quantity, Spot, pose};
-use crate::solve::eom::joined::{BESIDE, Fine, Gain, Motion, PUSHES, SHORT, SHORTEST, Teller, look, meets};
+use crate::solve::eom::SMALL;
+use crate::solve::eom::joined::{BESIDE, Gain, Motion, PUSHES, SHORT, SHORTEST, Teller, look, meets};
 use crate::solve::eom::planar::{Response, State};
-use crate::solve::eom::{SMALL, couple_on};
 use crate::solve::outcome::{Course, Held, Refusal, Said};
 
 /// A way on which springs act is looked at in so many places at least.
@@ -168,21 +168,12 @@ impl<T: Real> Teller<'_, '_, T> {
         if way.size() < BESIDE {
             return Ok(());
         }
-        let (mechanism, nothing) = (self.mechanism, self.scene.joints.iter().map(|_| 0.0));
+        let mechanism = self.mechanism;
         let begin = mechanism.state(T::zero(), true)?;
+        let from = Gain { half_square: T::zero(), factor: mechanism.inertia(&begin) };
         let motion = Motion {
-            mechanism,
-            start: T::zero(),
-            sense: way.sign(),
-            from: Gain { half_square: T::zero(), factor: mechanism.inertia(&begin) },
-            near: T::zero(),
-            slides: nothing.clone().collect(),
-            rubs: nothing.collect(),
             meets: meets(mechanism, way.sign(), way.abs()),
-            pendulum: None,
-            fine: Fine::of::<T>(self.scene, false),
-            steady: false,
-            timed: false,
+            ..Motion::new(mechanism, T::zero(), way.sign(), from)
         };
         let motion = motion.set_off(&begin)?;
         motion.over((T::zero(), motion.variable(way.abs())), motion.from, false, &mut |_, _| Ok(false))?;
@@ -227,11 +218,6 @@ impl<T: Real> Teller<'_, '_, T> {
         }
     }
 
-    /// Sum of the magnitudes of all impulses that strike.
-    pub fn blows(&self) -> f64 {
-        pose::blows(self.scene, self.n)
-    }
-
     /// What the moments of all forces about one another come to at most, N m.
     pub fn drives(&self) -> f64 {
         let pushes = self.scene.pushes.iter().filter(|p| !p.blow).map(|p| self.n.massive(p.force_n).size());
@@ -241,7 +227,7 @@ impl<T: Real> Teller<'_, '_, T> {
 
     /// The impulses of the joints at a blow. One that can only push and would have to pull lets go, and the other way round.
     pub fn tell_blow(&mut self, state: &State<T>, jumps: &Response<T>) {
-        let all = self.blows() + self.mechanism.gained(jumps);
+        let all = pose::blows(self.scene, self.n) + self.mechanism.gained(jumps);
         self.watch_shares(state, (jumps, T::zero()), &[], true);
         let on = self.mechanism.adding_up(state, (jumps, T::zero()), true);
         for (j, joint) in self.scene.joints.iter().enumerate() {
@@ -371,7 +357,7 @@ impl<T: Real> Teller<'_, '_, T> {
             // Of a driven body they are told together.
             let waits = drive.is_none()
                 && self.scene.bodies[body].planar.as_ref().is_some_and(|p| p.driven.is_some());
-            let own = couple_on(self.scene, self.n, body);
+            let own = self.scene.couple_on(self.n, body);
             let size = drives.map_or(0.0, |(_, size)| size) + own.map_or(0.0, |own| own.size());
             let moments = own.into_iter().chain(drives.map(|(moment, _)| moment));
             if let Some(moment) = moments.reduce(T::balance).filter(|_| !waits) {
