@@ -318,7 +318,7 @@ fn assembled<T: Real>(
         all.rows.right(row, all.layout.columns - 1, T::of(1.0));
     }
     let Assembly { layout, rows, normal, grown, .. } = all;
-    let solution = rows.solve().map_err(|s| Refusal::Singular { unknowns: s.unknowns, rank: s.rank })?;
+    let solution = rows.solve()?;
     // Ties may share a reaction in any way; where an acceleration is open, the motion is.
     let mut accelerations = layout.along.iter().chain(&layout.turn).flatten();
     if accelerations.any(|i| solution.is_open(*i)) {

@@ -253,11 +253,11 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
         let jumps = mechanism.struck(&state)?;
         // What strikes straight at a joint moves nothing.
         let most = pose::blows(scene, teller.n) * mechanism.size() / mechanism.inertia(&state).size();
-        spin = spin.balance(mechanism.leading(&jumps).0.cleared(most));
+        spin = spin.balance(jumps.lead.0.cleared(most));
         teller.tell_blow(&state, &jumps);
     }
     let free = mechanism.respond(&state, &nothing)?;
-    let (a, b) = mechanism.leading(&free);
+    let (a, b) = free.lead;
     // In a balance rounding is left of the drive.
     let turning = match teller.pinned {
         Some(_) => teller.terms(&state),
@@ -265,7 +265,7 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
     };
     let first = a.balance(b * spin.square()).cleared(turning);
     let sense = if spin.is_zero() { first.sign() } else { spin.sign() };
-    let slides = sliding(mechanism, &state, (mechanism.moving(&state), sense));
+    let slides = sliding(mechanism, &state, (&state.rates, sense));
     let rubs = rubbing(mechanism, &slides, spin.square(), &|rubs| mechanism.respond(&state, rubs))?;
     let rubbed = slides.iter().any(|s| *s != 0.0);
     let factor = if rubbed { T::of(1.0) } else { mechanism.inertia(&state) };
@@ -280,7 +280,7 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
         ..Motion::new(mechanism, T::zero(), sense, from)
     };
     // Friction may hold what would set off without it.
-    let (a, b) = if rubbed { mechanism.leading(&mechanism.respond(&state, &motion.rubs)?) } else { (a, b) };
+    let (a, b) = if rubbed { mechanism.respond(&state, &motion.rubs)?.lead } else { (a, b) };
     let sets_off = a.balance(b * spin.square()).cleared(turning).signed(sense);
     if sense == 0.0 || spin.is_zero() && sets_off.sign() <= 0.0 {
         teller.road.course = Some(Course::at_rest());
@@ -416,7 +416,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     }
     /// The first joint that rubs at which nothing slides as at the start.
     fn turned_back(&self, state: &State<T>) -> Option<usize> {
-        let now = sliding(self.mechanism, state, (self.mechanism.moving(state), self.sense));
+        let now = sliding(self.mechanism, state, (&state.rates, self.sense));
         now.iter().zip(&self.slides).position(|(now, before)| now - before != 0.0)
     }
     /// Does this normal force press to the side to which it pressed at the start?
@@ -453,7 +453,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                     }
                 }
                 if self.is_rubbed() {
-                    let (a, b) = mechanism.leading(&response);
+                    let (a, b) = response.lead;
                     let b = plant!("eom: centripetal share over the angle", b.signed(self.sense));
                     growths.push(b.scale2(1) * slope);
                     drive = a;
@@ -780,7 +780,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             mechanism.respond(&state, &self.rubs).ok()
         };
         let law = |_: usize, way: f64, u: f64| {
-            let leading = respond(way).map(|response| mechanism.leading(&response));
+            let leading = respond(way).map(|response| response.lead);
             leading.map_or(f64::NAN, |(a, b)| self.sense * (a + b * u * u))
         };
         let presses = |way: f64, u: f64| match scene.end {
@@ -860,7 +860,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         if !self.steady {
             return Ok(usual);
         }
-        let (a, _) = self.mechanism.leading(&self.at(T::zero())?.1);
+        let (a, _) = self.at(T::zero())?.1.lead;
         let slows = a.signed(-self.sense);
         Ok(if slows.sign() > 0.0 { (self.from.half_square / slows).scale2(1) } else { usual })
     }
@@ -1095,7 +1095,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             }
         }
         let speed = stop.half_square.scale2(1).root().signed(self.sense);
-        let lead = self.mechanism.leading(&response);
+        let lead = response.lead;
         teller.tell(&state, &response, (speed, lead), &self.rubs)
     }
 }

@@ -77,7 +77,8 @@ pub type Rates<T> = SmallVec<[[T; 3]; 3]>;
 pub struct State<T> {
     /// How the bodies lie.
     pub poses: Poses<T>,
-    rates: Rates<T>,
+    /// Their velocities for that.
+    pub rates: Rates<T>,
     /// What the joints hold, and that nothing drifts where only that holds it.
     rows: Vec<Row<T>>,
     /// What moves with the leading angle at its unit rate, and how fast.
@@ -94,9 +95,9 @@ pub struct Response<T> {
     /// For each row: constant part of its force, and per square of the rate; `None` where the joints leave it open.
     forces: SmallVec<[Option<(T, T)>; 8]>,
     /// The leading angle's second derivative likewise.
-    lead: (T, T),
-    /// Accelerations: constant part, and per square of the rate.
-    moves: [Rates<T>; 2],
+    pub lead: (T, T),
+    /// Accelerations: constant part, which is that from rest, and per square of the rate.
+    pub moves: [Rates<T>; 2],
 }
 
 /// What a joint holds: a row of the constraint, which is also the direction of its force.
@@ -564,18 +565,6 @@ impl<'a, T: Real> Mechanism<'a, T> {
             slip.balance(x * along[0]).balance(y * along[1]).balance(rim * turn)
         })
     }
-    /// Velocities for a unit rate.
-    pub fn moving<'s>(&self, state: &'s State<T>) -> &'s Rates<T> {
-        &state.rates
-    }
-    /// Accelerations from rest.
-    pub fn setting_off<'r>(&self, response: &'r Response<T>) -> &'r Rates<T> {
-        &response.moves[CONSTANT]
-    }
-    /// Direction of the axis of a body.
-    pub fn axis(&self, state: &State<T>, body: usize) -> Vector<T> {
-        state.poses[body].axis
-    }
 
     /// For each body: the forces on it and their moment about the mass centre, save those of joints; or the impulses of blows.
     fn forces(&self, poses: &Poses<T>, blows: bool) -> Rates<T> {
@@ -923,7 +912,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
             }
             rows.right(unknown, SQUARE, *inward);
         }
-        let solution = rows.solve().map_err(|s| Refusal::Singular { unknowns: s.unknowns, rank: s.rank })?;
+        let solution = rows.solve()?;
         if (0..self.columns).any(|i| solution.is_open(i)) {
             return Err(Refusal::Singular { unknowns, rank: unknowns - 1 });
         }
@@ -949,10 +938,6 @@ impl<'a, T: Real> Mechanism<'a, T> {
         Ok(Response { forces: (self.columns..unknowns).map(of).collect(), lead, moves })
     }
 
-    /// The second derivative of the leading angle: constant part, and per square of its rate.
-    pub const fn leading(&self, response: &Response<T>) -> (T, T) {
-        response.lead
-    }
     /// Angular acceleration of a body, as its own angle counts: constant part, and per square of the rate.
     pub fn turning(&self, response: &Response<T>, body: usize) -> (T, T) {
         let [constant, square] = [0, 1].map(|i| response.moves[i][body][2].signed(self.scene.sense(body)));
@@ -1045,11 +1030,6 @@ impl<'a, T: Real> Mechanism<'a, T> {
             }
         }
         (!shares::carry(&columns, &load)).then_some(first.joint)
-    }
-    /// Velocity of a mass centre for a unit rate.
-    pub fn velocity(&self, state: &State<T>, body: usize) -> Vector<T> {
-        let [x, y, _] = state.rates[body];
-        [x, y]
     }
     /// Velocity of a point for a unit rate.
     pub fn speed(&self, state: &State<T>, spot: Spot) -> Vector<T> {

@@ -246,7 +246,7 @@ impl<T: Real> Teller<'_, '_, T> {
         scale: f64,
     ) {
         let (mechanism, Some(body)) = (self.mechanism, self.pinned) else { return };
-        let ([c, s], sense) = (mechanism.axis(state, body), self.scene.sense(body));
+        let ([c, s], sense) = (state.poses[body].axis, self.scene.sense(body));
         let radial = -(x * c).balance(y * s);
         let mut across = ((y * c).balance(-(x * s)).signed(sense), scale);
         // Of a body whose mass sits at its centre it is a small difference, but not of the moments about that.

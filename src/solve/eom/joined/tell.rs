@@ -94,7 +94,7 @@ impl<T: Real> Teller<'_, '_, T> {
             let response = mechanism.respond(&state, smooth)?;
             Ok::<_, Refusal>((state, response))
         };
-        let drive = |way: T| Ok(mechanism.leading(&at(way)?.1).0);
+        let drive = |way: T| Ok(at(way)?.1.lead.0);
         let sense = drive(T::zero())?.sign();
         let full = T::constant(Dd::PI.scale2(1));
         let overruns = |far: T| mechanism.layout.overruns(sense, (far, look()));
@@ -261,7 +261,7 @@ impl<T: Real> Teller<'_, '_, T> {
         let turn = |b: usize| (mechanism.spin(state, b) * rate).size();
         let quickest = (0..scene.bodies.len()).map(turn).fold(0.0, f64::max);
         let moves = |b: usize| {
-            let centre: f64 = mechanism.velocity(state, b).iter().map(|v| (*v * rate).size()).sum();
+            let centre: f64 = state.rates[b][..2].iter().map(|v| (*v * rate).size()).sum();
             centre + turn(b) * pose::extent(scene, self.n, b)
         };
         let fastest = (0..scene.bodies.len()).map(moves).fold(0.0, f64::max);
@@ -272,7 +272,7 @@ impl<T: Real> Teller<'_, '_, T> {
         };
         for (b, body) in scene.bodies.iter().enumerate() {
             let of = Owner::Body(b);
-            let [vx, vy] = mechanism.velocity(state, b).map(|v| v * rate);
+            let [vx, vy] = [0, 1].map(|i| state.rates[b][i] * rate);
             let speed = (vx.square() + vy.square()).root();
             let numbers = self.n.bodies[b];
             energy = energy + numbers.mass * speed.square();
