@@ -1,11 +1,18 @@
-//! A small linear system in the number type of the solvers, by triangular factors.
+//! A small linear system by Gaussian elimination in the number type of the solvers.
 //!
-//! Rows and columns may differ by any power of ten: a pivot is judged beside the largest numbers of its row and its column, so that an
-//! acceleration that is 1e-30 of the others keeps all its digits. Where pivots are lost, Gauss-Jordan elimination tells which unknowns
-//! have only one value. Our own, and the same for doubles and 32 digits: a library's LU is of doubles.
+//! Rows may differ by any power of ten: the pivot is what is largest within its own row. Unknowns may differ too: where the
+//! residuals of a first solution are above rounding, its own sizes scale the columns, and the pivots are chosen anew, so that an
+//! acceleration that is 1e-30 of the others keeps all its digits. Our own, and the same for doubles and 32 digits: a library's LU
+//! is of doubles, and would need refining with residuals in 32 digits and scaling on top.
 use crate::num::Real;
 use crate::num::eliminate::Equations;
 use smallvec::{SmallVec, smallvec};
+use std::ops::Range;
+
+/// Times that the columns may be scaled anew.
+const SCALINGS: usize = 6;
+/// Residuals of a good elimination are below this many times the rounding of one operation.
+const OPERATIONS: f64 = 8.0;
 
 /// Equations in the making: a row of coefficients and right-hand sides for each.
 #[derive(Debug, Clone)]
@@ -46,6 +53,14 @@ pub struct Singular {
     pub rank: usize,
 }
 
+/// Why elimination does not do.
+enum Hard<T> {
+    /// A row is a repetition of others.
+    Repeats,
+    /// Residuals of this solution are above rounding.
+    Residual(SmallVec<[T; 8]>),
+}
+
 /// The largest of sizes; 0 of none, and NaN is none.
 #[inline]
 fn most(sizes: impl Iterator<Item = f64>) -> f64 {
@@ -81,21 +96,35 @@ impl<T: Real> Linear<T> {
     /// Solves for all right-hand sides. Where equations repeat each other, the unknowns that have only one value all the same.
     pub fn solve(&self) -> Result<Solution<T>, Singular> {
         let n = self.unknowns;
-        let mut factors = Factors::none();
-        factors.room(n);
-        for (row, cells) in self.cells.chunks_exact(n + self.columns).enumerate() {
-            cells[..n].iter().enumerate().for_each(|(col, x)| factors.add(row, col, *x));
+        let whole = |x| Solution { unknowns: n, x, open: SmallVec::new() };
+        let same: SmallVec<[f64; 8]> = smallvec![1.0; n];
+        if let Ok(x) = self.eliminated(0..self.columns, &same) {
+            return Ok(whole(x));
         }
-        if !factors.reduce() {
-            return self.partly();
-        }
-        let mut x = SmallVec::with_capacity(n * self.columns);
+        let mut all = SmallVec::with_capacity(n * self.columns);
         for k in 0..self.columns {
-            let start = x.len();
-            x.extend(self.rows(k).map(|(_, right, given)| right.cleared(given)));
-            factors.solve(&mut x[start..]);
+            let mut scales = same.clone();
+            let mut found = None;
+            for _ in 0..SCALINGS {
+                match self.eliminated(k..k + 1, &scales) {
+                    Ok(x) => {
+                        found = Some(x);
+                        break;
+                    }
+                    Err(Hard::Residual(x)) => {
+                        for (scale, x) in scales.iter_mut().zip(&x).filter(|(_, x)| !x.is_zero()) {
+                            *scale = x.size();
+                        }
+                    }
+                    Err(Hard::Repeats) => break,
+                }
+            }
+            match found {
+                Some(x) => all.extend(x),
+                None => return self.partly(),
+            }
         }
-        Ok(Solution { unknowns: n, x, open: SmallVec::new() })
+        Ok(whole(all))
     }
 
     /// The unknowns that have only one value although equations repeat each other. Errors: they contradict each other.
@@ -123,7 +152,110 @@ impl<T: Real> Linear<T> {
         }
         Ok(Solution { unknowns: n, x, open })
     }
+
+    /// Gaussian elimination with scaled partial pivoting, unknown `i` being about `scales[i]` in size. Nothing is allocated up to
+    /// 5 unknowns and one right-hand side.
+    fn eliminated(&self, wanted: Range<usize>, scales: &[f64]) -> Result<SmallVec<[T; 8]>, Hard<T>> {
+        let (n, width) = (self.unknowns, self.unknowns + self.columns);
+        let mut cells: SmallVec<[T; 30]> = SmallVec::from(&self.cells[..]);
+        // As slices: a small vector asks at each access where it lies.
+        let cells = &mut cells[..];
+        // Where each row begins, and its largest number: first the rows that are used, then the others.
+        let mut rows: SmallVec<[(usize, f64); 6]> = smallvec![(0, 0.0); n];
+        let rows = &mut rows[..];
+        for (place, row) in rows.iter_mut().enumerate() {
+            let numbers = cells[place * width..][..n].iter().zip(scales);
+            *row = (place * width, most(numbers.map(|(cell, scale)| cell.size() * scale)));
+        }
+        for col in 0..n {
+            let mut best: Option<(usize, f64)> = None;
+            for (place, (start, largest)) in rows.iter().enumerate().skip(col) {
+                let share = cells[start + col].size() * scales[col] / largest;
+                if !cells[start + col].is_nothing() && best.is_none_or(|(_, s)| share > s) {
+                    best = Some((place, share));
+                }
+            }
+            rows.swap(col, best.ok_or(Hard::Repeats)?.0);
+            let (pivot, rest) = (rows[col].0, &rows[col + 1..]);
+            for (start, _) in rest {
+                if cells[start + col].is_nothing() {
+                    continue;
+                }
+                let factor = cells[start + col] / cells[pivot + col];
+                for c in col + 1..width {
+                    let (cell, above) = (cells[start + c], cells[pivot + c]);
+                    if !above.is_nothing() {
+                        let less = factor * above;
+                        // A coefficient that is only rounding is no pivot.
+                        cells[start + c] = if c < n { cell.balance(-less) } else { cell - less };
+                    }
+                }
+            }
+        }
+        let mut out: SmallVec<[T; 8]> = smallvec![T::zero(); n * wanted.len()];
+        let mut settled = true;
+        for (k, x) in wanted.zip(out.chunks_exact_mut(n.max(1))) {
+            for (col, (start, _)) in rows.iter().enumerate().rev() {
+                let row = &cells[*start..][..width];
+                let mut sum = row[n + k];
+                for (cell, x) in row[col + 1..n].iter().zip(&x[col + 1..]) {
+                    if !cell.is_nothing() && !x.is_nothing() {
+                        sum = sum.balance(-(*cell * *x));
+                    }
+                }
+                x[col] = if sum.is_nothing() { sum } else { sum / row[col] };
+            }
+            if self.far_apart(k, x) {
+                self.vanish(k, x);
+            }
+            settled &= self.settled(k, x);
+        }
+        if settled { Ok(out) } else { Err(Hard::Residual(out)) }
+    }
+
+    /// Are the unknowns and the right-hand sides of very different sizes?
+    fn far_apart(&self, k: usize, x: &[T]) -> bool {
+        let given = self.given.iter().skip(k).step_by(self.columns).copied();
+        let largest = f64::max(most(x.iter().map(|v| v.size())), most(given));
+        x.iter().any(|v| v.size() > 0.0 && v.size() < APART * largest)
+    }
+
+    /// Sets to 0 all unknowns together that no equation would miss: beside the other terms of each of its equations such an
+    /// unknown is rounding, or all other terms of the equation are such unknowns too.
+    fn vanish(&self, k: usize, x: &mut [T]) {
+        let mut noise: SmallVec<[bool; 12]> = x.iter().map(|v| !v.is_zero()).collect();
+        loop {
+            let before = noise.clone();
+            for (row, _, given) in self.rows(k) {
+                let terms = || row.iter().zip(&*x).map(|(v, x)| *v * *x).zip(&before);
+                let others = terms().filter(|(_, noise)| !**noise).fold(given, |sum, (v, _)| sum + v.size());
+                if others > 0.0 {
+                    for (noise, (term, _)) in noise.iter_mut().zip(terms()) {
+                        *noise &= term.negligible(others);
+                    }
+                }
+            }
+            if noise == before {
+                break;
+            }
+        }
+        for (v, _) in x.iter_mut().zip(&noise).filter(|(_, noise)| **noise) {
+            *v = T::zero();
+        }
+    }
+
+    /// Does each row hold for these unknowns, up to the rounding of its terms?
+    fn settled(&self, k: usize, x: &[T]) -> bool {
+        self.rows(k).all(|(row, right, given)| {
+            let terms = row.iter().zip(x).filter(|(v, _)| !v.is_nothing()).map(|(v, x)| *v * *x);
+            let (residual, size) = terms.fold((right, given), |(sum, size), t| (sum - t, size + t.size()));
+            residual.within(OPERATIONS * T::SETTLED * size)
+        })
+    }
 }
+
+/// Share of the largest number below which an unknown may be the rounding of it, 2^-24: units differ, so most are not.
+const APART: f64 = 1.0 / (1u64 << 24) as f64;
 
 /// A pivot below this share of its row, 2^-20, would cost more than a few digits.
 const POOR: f64 = 1.0 / (1u64 << 20) as f64;
@@ -179,13 +311,13 @@ impl<T: Real> Factors<T> {
         }
         let mut sizes: SmallVec<[f64; 24]> = smallvec![0.0; 2 * size];
         let (largest, scales) = sizes.split_at_mut(size);
-        for (row, bits) in cells.chunks_exact(size.max(1)).zip(&*filled) {
+        for (row, bits) in cells.chunks_exact(size).zip(&*filled) {
             for col in places(*bits) {
                 largest[col] = if row[col].size() > largest[col] { row[col].size() } else { largest[col] };
             }
         }
         largest.iter_mut().for_each(|x| *x = 1.0 / *x);
-        for ((row, bits), scale) in cells.chunks_exact(size.max(1)).zip(&*filled).zip(scales.iter_mut()) {
+        for ((row, bits), scale) in cells.chunks_exact(size).zip(&*filled).zip(scales.iter_mut()) {
             *scale = 1.0 / most(places(*bits).map(|col| row[col].size() * largest[col]));
         }
         self.order.clear();

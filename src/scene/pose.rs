@@ -662,8 +662,7 @@ impl<'a, T: Real> Layout<'a, T> {
         self.glide.map(|(along, _)| along)
     }
     fn carried(&self) -> Option<([T; 2], T)> {
-        let placed = smallvec![false; self.scene.bodies.len()];
-        let held = Planner { layout: self, at_start: true, placed, steps: Steps::new() }.held(self.lead);
+        let held = Planner::new(self, true).held(self.lead);
         // The direction of each guide, and how much the way bends there to its left: across a cord about its fixed end.
         let mut lines = self.scene.joints.iter().enumerate().filter_map(|(j, joint)| match joint.kind {
             JointKind::Guide { at, line: Straight { on: None, .. }, .. } if at.body == self.lead => {
@@ -1059,12 +1058,7 @@ impl<'a, T: Real> Layout<'a, T> {
     }
     /// The order in which joints place all bodies; or else the first that they do not.
     fn planned(&self, at_start: bool) -> Result<Steps<T>, usize> {
-        let mut planner = Planner {
-            layout: self,
-            at_start,
-            placed: smallvec![false; self.scene.bodies.len()],
-            steps: Steps::new(),
-        };
+        let mut planner = Planner::new(self, at_start);
         // What rods hold fast beside the leading body is placed before it: it turns there on the axle that they hold.
         for body in (0..self.scene.bodies.len()).filter(|body| *body != self.lead) {
             if !planner.placed[body]

@@ -6,7 +6,7 @@ use crate::scene::pose::{
     from_origin, ground, left, less, of_spot, off, parallel, plus, times,
 };
 use crate::scene::{Branch, JointKind, Place, Planar, Spot, Straight, Surface, pose};
-use smallvec::SmallVec;
+use smallvec::{SmallVec, smallvec};
 
 /// Where a body lies by default, and the other side.
 const SIDES: [f64; 2] = [1.0, -1.0];
@@ -24,7 +24,10 @@ pub struct Planner<'l, 'a, T: Real> {
     pub steps: Steps<T>,
 }
 
-impl<'a, T: Real> Planner<'_, 'a, T> {
+impl<'l, 'a, T: Real> Planner<'l, 'a, T> {
+    pub fn new(layout: &'l Layout<'a, T>, at_start: bool) -> Self {
+        Self { layout, at_start, placed: smallvec![false; layout.scene.bodies.len()], steps: Steps::new() }
+    }
     pub fn add(&mut self, body: usize, step: Step<T>) {
         for placed in [Some(body), step.partner()].into_iter().flatten() {
             self.placed[placed] = true;

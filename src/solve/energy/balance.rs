@@ -8,8 +8,7 @@ use crate::num::eliminate::Equations;
 use crate::num::plant::plant;
 use crate::scene::pose;
 use crate::scene::{
-    Attach, BodyNumbers, Carried, Coordinate, CordEnd, Couple, Degree, Far, GivenForce, Grows, Numbers,
-    Scene, Side, Tie,
+    BodyNumbers, Carried, Coordinate, Couple, Degree, Far, GivenForce, Grows, Numbers, Scene, Tie,
 };
 use crate::solve::energy::speeds::{self, Mode};
 use smallvec::{SmallVec, smallvec};
@@ -246,18 +245,8 @@ fn levers<T: Real>(
     pulls: &[T],
     mut act: impl FnMut(usize, T, Option<T>),
 ) {
-    let cord_lever = |end: &CordEnd| -> T {
-        let sense = if end.forward { 1.0 } else { -1.0 };
-        match (c.degree, end.attach) {
-            (Degree::Along, _) => match end.tilt_deg {
-                Some(tilt) => pose::direction(n, tilt)[0].signed(sense),
-                None => T::of(sense),
-            },
-            (Degree::Turn, Attach::Centre) => T::zero(),
-            (Degree::Turn, Attach::Wound(p, Side::Top)) => n.get(p).signed(sense),
-            (Degree::Turn, Attach::Wound(p, Side::Bottom)) => n.get(p).signed(-sense),
-        }
-    };
+    // A force has the power of its point, here at the unit velocity of the coordinate.
+    let [v, w] = speeds::unit(c.degree);
     let mut springs = 0..;
     for (t, tie) in scene.ties.iter().enumerate() {
         match tie {
@@ -282,12 +271,12 @@ fn levers<T: Real>(
                     _ => None,
                 };
                 if cord.from.body == c.body {
-                    act(t, cord_lever(&cord.from), known);
+                    act(t, speeds::of_end(n, &cord.from, v, w), known);
                 }
                 if let Far::Body(other) = &cord.to
                     && other.body == c.body
                 {
-                    act(t, cord_lever(other), known);
+                    act(t, speeds::of_end(n, other, v, w), known);
                 }
             }
             _ => {}

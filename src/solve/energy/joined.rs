@@ -588,36 +588,37 @@ impl<'a, T: Real> Account<'a, T> {
         }
     }
 
+    /// Adds to a row what it makes of the velocity along a vector of the point of a body that lies so.
+    fn speed_along(&self, poses: &Poses<T>, row: &mut [T], (body, at): (usize, Vector<T>), u: Vector<T>) {
+        let turn = about(poses[body].axis.map(|x| x.value), at, u);
+        row[3 * body..].iter_mut().zip([u[0], u[1], turn]).for_each(|(cell, x)| *cell = *cell + x);
+    }
+
     /// Adds that the mass centre of the leading body keeps from drifting, where nothing but that holds it.
     fn no_drift(&self, poses: &Poses<T>, rows: &mut Equations<T>) {
         if let Some(direction) = self.scene.drifts() {
-            let [c, s] = pose::direction(self.n, direction);
-            let axis = poses[self.lead].axis;
-            let row = rows.row();
-            (row[3 * self.lead], row[3 * self.lead + 1]) = (c, s);
-            row[3 * self.lead + 2] = self.centres[self.lead].0 * (s * axis[0].value - c * axis[1].value);
+            let centre = [self.centres[self.lead].0, T::zero()];
+            self.speed_along(poses, rows.row(), (self.lead, centre), pose::direction(self.n, direction));
         }
     }
 
     /// Adds what the leading angle moves, at this rate: the turn of the body, its centre about the axis of a cylinder, or its way
     /// along guides.
     fn leading(&self, poses: &Poses<T>, rows: &mut Equations<T>, rate: T) {
-        let (columns, at) = (3 * self.scene.bodies.len(), 3 * self.lead);
-        let (mut along, mut turn) = ([T::zero(); 2], T::of(1.0));
-        let axis = poses[self.lead].axis.map(|x| x.value);
-        if let Some(unit) = self.layout.glide() {
-            let centre = [self.centres[self.lead].0, T::zero()];
-            (along, turn) = (unit, about(axis, centre, unit));
-        }
-        if let Some(arc) = self.layout.arc()
-            && let Some(spot) = self.scene.joints[arc.joint].kind.spots().next()
-        {
-            let place = self.point(poses, spot).map(|x| x.value);
-            along = [arc.axis[1] - place[1], place[0] - arc.axis[0]];
-            turn = about(axis, pose::of_spot(self.scene, self.n, spot), along);
-        }
         let row = rows.row();
-        (row[at], row[at + 1], row[at + 2], row[columns]) = (along[0], along[1], turn, rate);
+        row[3 * self.scene.bodies.len()] = rate;
+        let on_arc = self.layout.arc().and_then(|arc| {
+            let spot = self.scene.joints[arc.joint].kind.spots().next()?;
+            let place = self.point(poses, spot).map(|x| x.value);
+            Some((spot, [arc.axis[1] - place[1], place[0] - arc.axis[0]]))
+        });
+        if let Some((spot, along)) = on_arc {
+            self.speed_along(poses, row, (self.lead, pose::of_spot(self.scene, self.n, spot)), along);
+        } else if let Some(unit) = self.layout.glide() {
+            self.speed_along(poses, row, (self.lead, [self.centres[self.lead].0, T::zero()]), unit);
+        } else {
+            row[3 * self.lead + 2] = T::of(1.0);
+        }
     }
     /// The rate of what [`Self::leading`] tells in the motion of unit rate of the leading angle.
     fn unit(&self, poses: &Poses<T>) -> T {
@@ -896,7 +897,7 @@ impl<'a, T: Real> Account<'a, T> {
         }
         let weights = self.n.bodies.iter().fold(0.0, |sum, b| sum + (b.mass * self.n.gravity).size());
         for joint in joints {
-            if self.normal(begin, square, joint)?.is_some_and(|force| force.below(T::of(LEAST * weights))) {
+            if self.normal(begin, square, joint)?.is_some_and(|force| !T::of(LEAST * weights).below(force)) {
                 return Ok(false);
             }
         }
@@ -1061,9 +1062,7 @@ impl<'a, T: Real> Account<'a, T> {
             let (u, place) = (self.layout.told_along(joint, &here), self.point(poses, at).map(|x| x.value));
             let on = self.scene.joints[joint].kind.carrier().map(|on| (on.body, u.map(|x| -x)));
             for (body, u) in std::iter::once((at.body, u)).chain(on) {
-                row[3 * body] = row[3 * body] + u[0];
-                row[3 * body + 1] = row[3 * body + 1] + u[1];
-                row[3 * body + 2] = row[3 * body + 2] + about(here[body].axis, here[body].within(place), u);
+                self.speed_along(poses, row, (body, here[body].within(place)), u);
             }
         }
         let reduced = self.settled(|| rows.reduce(&[]));

@@ -261,11 +261,9 @@ struct Ended<T> {
     s: T,
     there: Summed<T>,
     sense: f64,
-    /// Speed at the start.
     u0: T,
     /// Twice the energy at unit rate.
     doubled: T,
-    /// Work of all forces.
     work: T,
 }
 
@@ -505,7 +503,6 @@ impl<'a, T: Real> Ledger<'a, T> {
         if self.counts_turn() { sense * mode.v[self.end.body].sign() } else { sense }
     }
 
-    /// Nothing sets off.
     fn rest(&mut self, drive: (T, T), pulls: Pulls<T>) {
         self.road.course = Some(Course { drive, ..Course::at_rest() });
         self.standing(&pulls);
@@ -540,7 +537,6 @@ impl<'a, T: Real> Ledger<'a, T> {
         self.say(Quantity::DTurn, body, farthest);
     }
 
-    /// A motion in phases.
     fn through_phases(mut self) -> Road<T> {
         let Some(phases) = &self.phases else { return self.road };
         let reached = phases.ended && !self.scene.goes_wrong(phases.sense);
@@ -942,7 +938,6 @@ impl<'a, T: Real> Ledger<'a, T> {
         }
     }
 
-    /// Everything at the end.
     fn arrived(&mut self, end: &Ended<T>, pulls: &[T]) {
         // At rest by the definition of the event, not by what rounding leaves.
         let rest = matches!(self.scene.end, End::TurningPoint(_)) && self.phases.is_none();

@@ -20,7 +20,7 @@ use crate::scene::pose;
 use crate::scene::{
     Action, Coordinate, Degree, Far, GivenForce, Grows, Growth, Num, Numbers, Rubbing, Scene, Tie,
 };
-use crate::solve::eom::under;
+use crate::solve::eom::{take_up, under};
 use crate::solve::outcome::{Refusal, Unsupported};
 use smallvec::{SmallVec, smallvec};
 
@@ -168,11 +168,8 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
             (Some(response), Grows::Place) => {
                 let moved = |c: Coordinate| response.acceleration(c, response.last());
                 let coordinate = |body: usize, degree: Degree| Coordinate { body, degree };
-                let along = |action: Action| {
-                    let (toward, arm) = lever(n, &action);
-                    let centre = moved(coordinate(action.body, Degree::Along)).signed(toward);
-                    centre.balance(arm * moved(coordinate(action.body, Degree::Turn)))
-                };
+                let along =
+                    |action: Action| take_up(n, &action, |degree| moved(coordinate(action.body, degree)));
                 let own = match growth.of {
                     GivenForce::Pull(t) => scene.ties[t].actions().next().map_or_else(T::zero, along),
                     GivenForce::Couple(i) => moved(coordinate(scene.couples[i].body, Degree::Turn)),

@@ -78,7 +78,8 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
         own.map_or_else(T::zero, |(_, v)| *v)
     };
     for (tie, cord, force) in scene.pulls() {
-        let speed = take_up(n, &cord.from, |degree| velocity(Coordinate { body: cord.from.body, degree }));
+        let speed =
+            take_up(n, &cord.from.action(), |degree| velocity(Coordinate { body: cord.from.body, degree }));
         let power = n.massive(force) * speed;
         say(Quantity::PowerPull, Owner::Tie(tie), power, power.size());
     }

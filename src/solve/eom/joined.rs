@@ -72,7 +72,6 @@ struct Motion<'m, 'a, T: Real> {
     meets: SmallVec<[(usize, T); 4]>,
     /// What has a closed form.
     pendulum: Option<Pendulum<T>>,
-    /// How fine its panels are.
     fine: Fine,
     /// Is the time asked for, or where it is at a time?
     timed: bool,
@@ -167,7 +166,6 @@ struct Stop<T> {
     way: T,
     /// Half the square of the rate.
     half_square: T,
-    /// What stops it.
     why: Why,
     /// The time until then, where the panels give it.
     time: Option<T>,
@@ -353,7 +351,6 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     fn angle(&self, way: T) -> T {
         self.start + way.signed(self.sense)
     }
-    /// Sum of all weights.
     fn weights(&self) -> f64 {
         let n = self.mechanism.n;
         n.bodies.iter().fold(0.0, |sum, b| sum + (b.mass * n.gravity).size())
@@ -890,7 +887,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let (joints, least) = (&self.mechanism.scene.joints, T::of(PUSHES * self.weights()));
         (0..joints.len()).filter(|j| joints[*j].kind.is_one_sided()).find(|joint| {
             let force = self.pushed(begin, *joint, self.from.half_square);
-            force.is_some_and(|force| force.below(least))
+            force.is_some_and(|force| !least.below(force))
         })
     }
 

@@ -37,7 +37,6 @@ pub const CONSTANT: usize = 0;
 /// Right-hand side of the centripetal terms, per square of the rate of the leading angle.
 pub const SQUARE: usize = 1;
 
-/// A vector of the plane.
 type Vector<T> = [T; 2];
 /// One for each named point of a body.
 type Levers<T> = SmallVec<[Vector<T>; 4]>;
@@ -67,7 +66,6 @@ pub struct Mechanism<'a, T: Real> {
     factors: RefCell<Factors<T>>,
 }
 
-/// Where all bodies are.
 type Poses<T> = pose::Poses<T>;
 /// Velocity or acceleration of each mass centre, and of each turn, counter-clockwise; or force and moment.
 pub type Rates<T> = SmallVec<[[T; 3]; 3]>;
@@ -132,6 +130,14 @@ struct End<T> {
 }
 
 impl<T: Real> End<T> {
+    /// At a point.
+    fn new(body: usize, along: Vector<T>, lever: Vector<T>) -> Self {
+        Self { body, along, lever, radius: T::zero(), rim: T::zero() }
+    }
+    /// Of a body that turns alone.
+    fn turning(body: usize, radius: T) -> Self {
+        Self { radius, ..Self::new(body, [T::zero(); 2], [T::zero(); 2]) }
+    }
     fn turn(&self) -> T {
         cross(self.lever, self.along) + self.radius
     }
@@ -237,16 +243,12 @@ impl<'a, T: Real> Mechanism<'a, T> {
         [c * apart - s * aside, s * apart + c * aside]
     }
 
-    /// The rows of all joints.
     fn rows(&self, poses: &Poses<T>, rows: &mut Vec<Row<T>>) {
         let (zero, one) = (T::zero(), T::of(1.0));
         let (both, one_turn) = ([[one, zero], [zero, one]], one);
         let end = |spot: Spot, along: Vector<T>, radius: T| End {
-            body: spot.body,
-            along,
-            lever: self.lever(poses, spot),
             radius,
-            rim: zero,
+            ..End::new(spot.body, along, self.lever(poses, spot))
         };
         rows.clear();
         for (joint, held) in self.scene.joints.iter().enumerate() {
@@ -325,26 +327,19 @@ impl<'a, T: Real> Mechanism<'a, T> {
     /// What moves with the leading angle: the turn of the body, or its centre about the axis of a cylinder; or its way along guides. The
     /// speed at its unit rate comes with it.
     fn leads(&self, poses: &Poses<T>) -> (Row<T>, T) {
-        let zero = T::zero();
-        let (end, speed) = match self.layout.arc() {
-            Some(arc) => {
-                let spot = self.scene.joints[arc.joint].kind.spots().next();
-                let spot = spot.unwrap_or(Spot { body: self.lead, point: 0 });
-                let place = self.layout.spot(spot, poses);
-                let along = [(arc.axis[1] - place[1]) / arc.apart, (place[0] - arc.axis[0]) / arc.apart];
-                let lever = self.lever(poses, spot);
-                (End { body: self.lead, along, lever, radius: zero, rim: zero }, arc.apart)
-            }
-            None => {
-                let none = [zero; 2];
-                if let Some(along) = self.layout.glide() {
-                    let end = End { body: self.lead, along, lever: none, radius: zero, rim: zero };
-                    return (Row::new(0, end, None, zero), T::of(1.0));
-                }
-                (End { body: self.lead, along: none, lever: none, radius: T::of(1.0), rim: zero }, T::of(1.0))
-            }
+        let (lead, one) = (self.lead, T::of(1.0));
+        let (end, speed) = if let Some(arc) = self.layout.arc() {
+            let spot = self.scene.joints[arc.joint].kind.spots().next();
+            let spot = spot.unwrap_or(Spot { body: lead, point: 0 });
+            let place = self.layout.spot(spot, poses);
+            let along = [(arc.axis[1] - place[1]) / arc.apart, (place[0] - arc.axis[0]) / arc.apart];
+            (End::new(lead, along, self.lever(poses, spot)), arc.apart.signed(self.scene.sense(lead)))
+        } else if let Some(along) = self.layout.glide() {
+            (End::new(lead, along, [T::zero(); 2]), one)
+        } else {
+            (End::turning(lead, one), one.signed(self.scene.sense(lead)))
         };
-        (Row::new(0, end, None, zero), speed.signed(self.scene.sense(self.lead)))
+        (Row::new(0, end, None, T::zero()), speed)
     }
 
     /// How fast everything moves for a unit rate of the leading angle, by what the joints hold.
@@ -371,13 +366,12 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let (mut rows, zero) = (state.rows.clone(), T::zero());
         let mut speeds: Vec<T> = rows.iter().map(|_| zero).collect();
         for (of, number) in self.scene.start_speeds() {
-            let end = |along, lever, radius| End { body: of.body, along, lever, radius, rim: zero };
             let (one, other) = match of.degree {
-                Degree::Turn => (end([zero; 2], [zero; 2], T::of(self.scene.sense(of.body))), None),
+                Degree::Turn => (End::turning(of.body, T::of(self.scene.sense(of.body))), None),
                 Degree::Along => {
                     let (joint, at) = self.scene.guide_of(of.body).ok_or(Refusal::Open(of))?;
                     let along = self.layout.told_along(joint, &state.poses);
-                    self.against(joint, &state.poses, end(along, self.lever(&state.poses, at), zero))
+                    self.against(joint, &state.poses, End::new(of.body, along, self.lever(&state.poses, at)))
                 }
             };
             rows.push(Row::new(0, one, other, zero));
@@ -476,9 +470,8 @@ impl<'a, T: Real> Mechanism<'a, T> {
         }
         if let Some(along) = self.drift {
             // From rest its mass centre does not move that way.
-            let zero = T::zero();
-            let end = End { body: self.lead, along, lever: [zero; 2], radius: zero, rim: zero };
-            state.rows.push(Row::new(self.scene.joints.len(), end, None, zero));
+            let end = End::new(self.lead, along, [T::zero(); 2]);
+            state.rows.push(Row::new(self.scene.joints.len(), end, None, T::zero()));
         }
         let (columns, count) = (self.columns, state.rows.len() + 1);
         let mut speeds: SmallVec<[T; 12]> = smallvec![T::zero(); count];
@@ -769,38 +762,25 @@ impl<'a, T: Real> Mechanism<'a, T> {
         state
     }
 
-    /// The response with the couple on the leading body that gives it this angular acceleration at this square of the rate, and
-    /// that couple: everything is affine in it.
+    /// The response with the couple on the leading body that gives it this angular acceleration, and that couple: one more row, whose
+    /// second derivative is given.
     ///
-    /// Errors: as for [`Self::respond`]; a couple that cannot turn it.
+    /// Errors: as for [`Self::respond`].
     pub fn driven(
         &self,
         state: &State<T>,
         sliding: &[f64],
-        (alpha, square): (T, T),
-    ) -> Result<(Response<T>, T), Refusal> {
-        let mut response = self.respond(state, sliding)?;
-        let rows = self.rubbing(state, sliding);
-        let mut couple: Rates<T> = smallvec![[T::zero(); 3]; self.n.bodies.len()];
-        couple[self.lead][2] = plant!("eom: couple of a drive", T::of(self.scene.sense(self.lead)));
-        let unit = self.answer(state, &rows, &couple, false)?;
-        let (constant, by_square) = self.turning(&response, self.lead);
-        let per = self.turning(&unit, self.lead).0;
-        if per.is_zero() {
-            return Err(Refusal::Freedoms(0));
-        }
-        let moment = alpha.balance(-constant).balance(-(by_square * square)) / per;
-        let add = |value: &mut T, unit: T| *value = value.balance(unit * moment);
-        for (value, unit) in response.forces.iter_mut().zip(&unit.forces) {
-            if let (Some(value), Some(unit)) = (value, unit) {
-                add(&mut value.0, unit.0);
-            }
-        }
-        for (value, unit) in response.moves[0].iter_mut().flatten().zip(unit.moves[0].iter().flatten()) {
-            add(value, *unit);
-        }
-        add(&mut response.lead.0, unit.lead.0);
-        Ok((response, moment))
+        alpha: T,
+    ) -> Result<(Response<T>, Option<(T, T)>), Refusal> {
+        let mut rows = self.rubbing(state, sliding);
+        let sense = plant!("eom: couple of a drive", T::of(self.scene.sense(self.lead)));
+        let turn = End::turning(self.lead, sense);
+        rows.push(Row::new(self.scene.joints.len(), turn, None, T::zero()));
+        let inward: SmallVec<[T; 12]> =
+            rows.iter().chain([&state.leads.0]).map(|row| self.inward(state, row)).collect();
+        let mut response = self.general(state, &rows, &self.forces(&state.poses, false), &inward, alpha)?;
+        let couple = response.forces.pop().flatten();
+        Ok((response, couple))
     }
 
     /// What bodies do under these forces, and by their motion if they `bend` their ways in time.
@@ -815,7 +795,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let inward: SmallVec<[T; 12]> = rows.iter().chain([&state.leads.0]).map(inward).collect();
         match self.bodies(state, rows, forces, &inward) {
             Some(response) => Ok(response),
-            None => self.general(state, rows, forces, &inward),
+            None => self.general(state, rows, forces, &inward, T::zero()),
         }
     }
 
@@ -878,13 +858,15 @@ impl<'a, T: Real> Mechanism<'a, T> {
         Some(Response { forces: pairs().take(rows.len()).map(Some).collect(), lead, moves: [rates, bends] })
     }
 
-    /// All accelerations and forces at once, where there are more freedoms, or where reactions repeat each other.
+    /// All accelerations and forces at once, where there are more freedoms, or where reactions repeat each other; `given` is the constant
+    /// part of the second derivative that the last row keeps.
     fn general(
         &self,
         state: &State<T>,
         held: &[Row<T>],
         forces: &[[T; 3]],
         inward: &[T],
+        given: T,
     ) -> Result<Response<T>, Refusal> {
         let unknowns = self.columns + held.len();
         let mut rows = Linear::new(unknowns, 2);
@@ -911,6 +893,9 @@ impl<'a, T: Real> Mechanism<'a, T> {
                 }
             }
             rows.right(unknown, SQUARE, *inward);
+        }
+        if !given.is_zero() {
+            rows.right(unknowns - 1, CONSTANT, given);
         }
         let solution = rows.solve()?;
         if (0..self.columns).any(|i| solution.is_open(i)) {

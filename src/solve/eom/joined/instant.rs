@@ -60,9 +60,11 @@ fn driven<T: Real>(teller: &mut Teller<T>, alpha: T, spin: T) -> Result<(), Refu
     let state = mechanism.state(T::zero(), true)?;
     let slides = sliding(mechanism, &state, (&state.rates, way.sign()));
     outcome::all_slide(scene, &slides)?;
-    let driven = |rubs: &[f64]| mechanism.driven(&state, rubs, (alpha, spin.square()));
+    let driven = |rubs: &[f64]| mechanism.driven(&state, rubs, alpha);
     let rubs = rubbing(mechanism, &slides, spin.square(), &|rubs| Ok(driven(rubs)?.0))?;
-    let (response, moment) = driven(&rubs)?;
+    let (response, couple) = driven(&rubs)?;
+    let (constant, by_square) = couple.ok_or(Refusal::Freedoms(0))?;
+    let moment = constant.balance(by_square * spin.square());
     let arm = mechanism.size();
     let size = beside(moment.size() + teller.pulls() * arm, teller.loads(spin.square()) * arm);
     teller.say_scaled(Quantity::Drive, Owner::Body(mechanism.lead), moment, size);

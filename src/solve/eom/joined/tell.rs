@@ -18,7 +18,6 @@ const INDIFFERENT: f64 = 1e-9;
 /// What accelerations are told of: the response, what adds up on each body to the right and up, and the terms of an angular one.
 type Accelerated<'r, T> = (&'r Response<T>, &'r [[f64; 2]], f64);
 
-/// Sum of the magnitudes.
 fn sizes<T: Real>(parts: &[T]) -> f64 {
     parts.iter().map(|part| part.size()).sum()
 }
