@@ -274,7 +274,8 @@ fn around<T: Real, X: Followed<T>>(
 /// What places the bodies of a scene and is the same on the whole way.
 #[derive(Debug, Clone)]
 pub struct Layout<'a, T: Real> {
-    scene: &'a Scene,
+    /// The scene.
+    pub scene: &'a Scene,
     n: &'a Numbers<'a, T>,
     lead: usize,
     start: Half<T>,

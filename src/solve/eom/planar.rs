@@ -20,7 +20,7 @@ use crate::num::linear::{Factors, Linear};
 use crate::num::plant::plant;
 use crate::num::{root, shares};
 use crate::scene::pose::{self, Layout, Obstacle};
-use crate::scene::{Acts, Degree, JointKind, Numbers, Rest, Scene, Spot, StrutEnd, Surface};
+use crate::scene::{Acts, Degree, JointKind, Num, Numbers, Rest, Scene, Spot, StrutEnd, Surface};
 use crate::solve::outcome::{self, Refusal};
 use smallvec::{SmallVec, smallvec};
 use std::cell::RefCell;
@@ -1061,34 +1061,56 @@ impl<'a, T: Real> Mechanism<'a, T> {
         (self.n.massive(s.stiffness_n_m) * by).size()
     }
     /// Does a point of a body pass on this way through the surface that pushes another one of its points? One that starts beyond is no
-    /// part of what the surface bears; what stands out over the rim of a wheel runs beside its rail.
+    /// part of what the surface bears; what stands out over the rim of a wheel runs beside its rail. Doubles tell.
     pub fn pierces(&self, sense: f64, far: (T, T)) -> Option<Obstacle> {
-        let margin = T::of(PIERCED * self.size());
-        self.scene.joints.iter().zip(&self.layout.lines).enumerate().find_map(|(j, (joint, [c, s]))| {
-            let (at, through) = match joint.kind {
-                JointKind::Guide { at, line, one_sided: true, .. }
-                | JointKind::Contact {
-                    at, surface: Surface::Line(line), rolls: false, teeth: false, ..
-                } if line.on.is_none() => (at, pose::ground(self.n, line.through_m)),
-                _ => return None,
-            };
-            let above = |spot: Spot, way: T| {
-                let [x, y] = self.layout.spot(spot, &self.poses(way.signed(sense), false)?);
-                Ok::<_, Refusal>((y - through[1]) * *c - (x - through[0]) * *s + margin)
-            };
-            let points = self.scene.planar(at.body).map_or(0, |p| p.points.len());
-            let pierces = |spot: &Spot| {
-                let above = |way: T| above(*spot, way);
-                above(T::zero()).is_ok_and(|first| first.sign() > 0.0)
-                    && root::changes(far, &[], &above).is_ok_and(|places| !places.is_empty())
-            };
-            let mut others =
-                (0..points).map(|point| Spot { body: at.body, point }).filter(|spot| *spot != at);
-            others.find(pierces).map(|spot| Obstacle::Strikes(spot, j))
-        })
+        let (scene, margin) = (self.scene, PIERCED * self.size());
+        if T::is_double() || pushing(scene).next().is_none() {
+            return strikes(&self.layout, self.n, sense, far, margin);
+        }
+        let n = self.n.in_doubles(scene);
+        strikes(&Layout::new(scene, &n)?, &n, sense, (far.0.f64(), far.1.f64()), margin)
     }
     /// Force of a spring, positive if it pulls; moment of a torsion spring against its stretch.
     pub fn tension(&self, state: &State<T>, strut: usize) -> T {
         self.n.massive(self.scene.struts[strut].stiffness_n_m) * self.stretch(&state.poses, strut)
     }
+}
+
+/// The straight surfaces on the ground that push points of bodies: the joint, the point, a place on the line.
+fn pushing(scene: &Scene) -> impl Iterator<Item = (usize, Spot, [Num; 2])> {
+    scene.joints.iter().enumerate().filter_map(|(j, joint)| match joint.kind {
+        JointKind::Guide { at, line, one_sided: true, .. }
+        | JointKind::Contact { at, surface: Surface::Line(line), rolls: false, teeth: false, .. }
+            if line.on.is_none() =>
+        {
+            Some((j, at, line.through_m))
+        }
+        _ => None,
+    })
+}
+
+/// [`Mechanism::pierces`], by more than a margin.
+fn strikes<T: Real>(
+    layout: &Layout<T>,
+    n: &Numbers<T>,
+    sense: f64,
+    far: (T, T),
+    margin: f64,
+) -> Option<Obstacle> {
+    pushing(layout.scene).find_map(|(j, at, through_m)| {
+        let ([c, s], through) = (layout.lines[j], pose::ground(n, through_m));
+        let above = |spot: Spot, way: T| {
+            let poses: Poses<T> = layout.poses(way.signed(sense), false).ok_or(())?;
+            let [x, y] = layout.spot(spot, &poses);
+            Ok::<_, ()>((y - through[1]) * c - (x - through[0]) * s + T::of(margin))
+        };
+        let pierces = |spot: &Spot| {
+            let above = |way: T| above(*spot, way);
+            above(T::zero()).is_ok_and(|first| first.sign() > 0.0)
+                && root::changes(far, &[], &above).is_ok_and(|places| !places.is_empty())
+        };
+        let points = layout.scene.planar(at.body).map_or(0, |p| p.points.len());
+        let mut others = (0..points).map(|point| Spot { body: at.body, point }).filter(|spot| *spot != at);
+        others.find(pierces).map(|spot| Obstacle::Strikes(spot, j))
+    })
 }
