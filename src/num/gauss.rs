@@ -40,9 +40,8 @@ pub struct Rule {
     pub nodes: Vec<Dd>,
     /// Of sum 1, > 0.
     weights: Vec<Dd>,
-    /// Integral from 0 to node `j` of the polynomial that is 1 at node `k` and 0 at the others, row by row, each with that of the node
-    /// at the mirrored place: half of their sum, and of their difference. Of the first half of the nodes, which tell those of the others.
-    running: Vec<(Dd, Dd)>,
+    /// Integral from 0 to node `j` of the polynomial that is 1 at node `k` and 0 at the others, row by row.
+    running: Vec<Dd>,
     /// Legendre polynomials at the nodes, node by node.
     legendre: Vec<Vec<Dd>>,
     /// What makes the last Legendre coefficients of the values at the nodes.
@@ -122,12 +121,7 @@ impl Rule {
             let nodes = rule.legendre.iter().zip(&rule.weights);
             row.extend(nodes.map(|(node, weight)| Dd::new(2.0 * m as f64 + 1.0) * *weight * node[m]));
         }
-        let half = count.div_ceil(2);
-        for at in &rule.legendre[..half] {
-            let row = rule.shares(at);
-            let pairs = row.iter().zip(row.iter().rev()).take(half);
-            rule.running.extend(pairs.map(|(a, b)| ((*a + *b).scale2(-1), (*a - *b).scale2(-1))));
-        }
+        rule.running = rule.legendre.iter().flat_map(|at| rule.shares(at)).collect();
         rule
     }
 
@@ -184,23 +178,12 @@ impl Rule {
         }
     }
 
-    /// The integral from the start of a panel of length 1 to each node, from the parts that are even and odd about its middle.
+    /// The integral from the start of a panel of length 1 to each node.
     pub fn running<T: Real>(&self, values: &[T]) -> PerNode<T> {
-        let (count, half) = (self.nodes.len(), self.nodes.len().div_ceil(2));
-        let mirrored = values.iter().zip(values.iter().rev()).take(half).enumerate();
-        // The node in the middle is its own mirror image.
-        let even = |k: usize, a: T, b: T| if 2 * k + 1 == count { a } else { a + b };
-        let parts: Vec<(T, T)> = mirrored.map(|(k, (a, b))| (even(k, *a, *b), *a - *b)).collect();
-        let (whole, mut all) = (self.mean(values), vec![T::zero(); count]);
-        for (j, row) in self.running.chunks_exact(half).enumerate() {
-            let (mut even, mut odd) = (T::zero(), T::zero());
-            for ((e, o), (sum, apart)) in row.iter().zip(&parts) {
-                (even, odd) = (even + *sum * T::constant(*e), odd + *apart * T::constant(*o));
-            }
-            all[count - 1 - j] = whole - even + odd;
-            all[j] = even + odd;
-        }
-        all
+        let row = |shares: &[Dd]| {
+            values.iter().zip(shares).fold(T::zero(), |sum, (v, w)| sum + *v * T::constant(*w))
+        };
+        self.running.chunks_exact(self.nodes.len()).map(row).collect()
     }
 
     /// The integral from the start of a panel of length 1 to this share of it of the polynomial that has these values at its nodes.

@@ -90,7 +90,8 @@ fn times<T: Real, X: Followed<T>>(a: [X; 2], by: T) -> [X; 2] {
 fn scaled<X: Copy + Mul<Output = X>>(a: [X; 2], by: X) -> [X; 2] {
     [a[0] * by, a[1] * by]
 }
-fn dot<X: Copy + Add<Output = X> + Mul<Output = X>>(a: [X; 2], b: [X; 2]) -> X {
+/// The scalar product.
+pub fn dot<X: Copy + Add<Output = X> + Mul<Output = X>>(a: [X; 2], b: [X; 2]) -> X {
     a[0] * b[0] + a[1] * b[1]
 }
 /// A vector of this length along a fixed direction.
@@ -919,11 +920,6 @@ impl<'a, T: Real> Layout<'a, T> {
         let through = line.on.map_or_else(|| ground(self.n, line.through_m), |on| self.spot(on, poses));
         let (from, unit) = (less(self.spot(at, poses), through), self.line(joint, poses));
         [dot(unit, from), dot(left(unit), from)]
-    }
-    /// How far a point is from a fixed place.
-    pub fn distance<X: Followed<T>>(&self, poses: &Poses<X>, at: Spot, place_m: [Num; 2]) -> X {
-        let apart = less(self.spot(at, poses), fixed(ground(self.n, place_m)));
-        dot(apart, apart).square_root()
     }
     /// How long a cord or a light rod is that holds a point, as far as its fixed place or on to another body.
     fn cord(&self, poses: &Poses<T>, near: (Spot, [Num; 2]), beyond: Option<(Spot, [Num; 2])>) -> T {

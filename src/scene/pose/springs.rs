@@ -4,7 +4,7 @@ use crate::num::{Real, root};
 use crate::scene::pose::{
     Layout, Poses, direction, dot, fixed, foot, from_origin, ground, less, turned_from,
 };
-use crate::scene::{Acts, Rest, Strut, StrutEnd};
+use crate::scene::{Acts, Num, Rest, Spot, Strut, StrutEnd};
 use smallvec::SmallVec;
 
 impl<T: Real> Layout<'_, T> {
@@ -86,13 +86,22 @@ impl<T: Real> Layout<'_, T> {
         ways.sort_by(|a, b| a.1.f64().total_cmp(&b.1.f64()));
         ways
     }
+    /// How far a point is from a fixed place.
+    pub fn distance<X: Followed<T>>(&self, poses: &Poses<X>, at: Spot, place_m: [Num; 2]) -> X {
+        let apart = less(self.spot(at, poses), fixed(ground(self.n, place_m)));
+        dot(apart, apart).square_root()
+    }
+    /// The direction from a point to a fixed place, and how far that is.
+    pub fn toward<X: Followed<T>>(&self, poses: &Poses<X>, at: Spot, place_m: [Num; 2]) -> ([X; 2], X) {
+        let apart = less(fixed(ground(self.n, place_m)), self.spot(at, poses));
+        let length = dot(apart, apart).square_root();
+        (apart.map(|x| x / length), length)
+    }
     /// Direction of a force on a point.
     pub fn push<X: Followed<T>>(&self, poses: &Poses<X>, push: usize) -> [T; 2] {
         let (given, own) = (&self.scene.pushes[push], self.pushes[push]);
         if let Some(place) = given.toward_m {
-            let apart = less(ground(self.n, place), self.spot(given.at, poses).map(X::here));
-            let length = dot(apart, apart).root();
-            return apart.map(|x| x / length);
+            return self.toward(poses, given.at, place).0.map(X::here);
         }
         if given.turns { from_origin(poses[given.at.body].axis.map(X::here), own) } else { own }
     }

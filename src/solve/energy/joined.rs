@@ -19,7 +19,7 @@ use crate::num::jet::Followed;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Jet, Real, ball, trig};
-use crate::scene::pose::{self, Layout, Obstacle, Pose};
+use crate::scene::pose::{self, Layout, Obstacle, Pose, dot};
 use crate::scene::{Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Quantity, Scene, Spot};
 use crate::solve::energy::pendulum::Pendulum;
 use crate::solve::method::Method;
@@ -164,9 +164,6 @@ struct Balance<T> {
 /// The lesser of two.
 fn least<T: Real>(one: T, other: &T) -> T {
     if other.below(one) { *other } else { one }
-}
-fn dot<T: Real>(a: Vector<T>, b: Vector<T>) -> T {
-    a[0] * b[0] + a[1] * b[1]
 }
 
 /// A quarter turn to the right.
@@ -469,12 +466,7 @@ impl<'a, T: Real> Account<'a, T> {
     ) {
         let [none, one] = [T::zero(), T::of(1.0)].map(X::still);
         let both = [[one, none], [none, one]];
-        // From a point to the place to which its cord leads.
-        let tight = |at: Spot, place_m: [Num; 2]| {
-            let apart = pose::less(pose::ground(self.n, place_m).map(X::still), self.layout.spot(at, poses));
-            let length = (apart[0] * apart[0] + apart[1] * apart[1]).square_root();
-            apart.map(|x| x / length)
-        };
+        let tight = |at: Spot, place_m: [Num; 2]| self.layout.toward(poses, at, place_m).0;
         for (j, (joint, rubs)) in self.scene.joints.iter().zip(&self.rubs).enumerate() {
             let mut add = |ends: &[(Spot, [X; 2], X)]| {
                 let mut parts: SmallVec<[(usize, X); 12]> = SmallVec::new();

@@ -19,7 +19,7 @@ use crate::num::half::Half;
 use crate::num::linear::{Factors, Linear};
 use crate::num::plant::plant;
 use crate::num::{root, shares};
-use crate::scene::pose::{self, Layout, Obstacle};
+use crate::scene::pose::{self, Layout, Obstacle, dot};
 use crate::scene::{Acts, Degree, JointKind, Num, Numbers, Rest, Scene, Spot, StrutEnd, Surface};
 use crate::solve::outcome::{self, Refusal};
 use smallvec::{SmallVec, smallvec};
@@ -157,9 +157,6 @@ impl<T: Real> Row<T> {
     }
 }
 
-fn dot<T: Real>(a: Vector<T>, b: Vector<T>) -> T {
-    a[0] * b[0] + a[1] * b[1]
-}
 fn cross<T: Real>(a: Vector<T>, b: Vector<T>) -> T {
     a[0] * b[1] - a[1] * b[0]
 }
@@ -299,10 +296,8 @@ impl<'a, T: Real> Mechanism<'a, T> {
                 }
                 JointKind::Cord { at, place_m, beyond, .. } => {
                     let tied = |(at, place_m)| {
-                        let (near, far) = (self.layout.spot(at, poses), pose::ground(self.n, place_m));
-                        let apart = [far[0] - near[0], far[1] - near[1]];
-                        let length = dot(apart, apart).root();
-                        (end(at, apart.map(|x| x / length), zero), one / length)
+                        let (along, length) = self.layout.toward(poses, at, place_m);
+                        (end(at, along, zero), one / length)
                     };
                     let ((near, bend), far) = (tied((at, place_m)), beyond.map(tied));
                     let toward =

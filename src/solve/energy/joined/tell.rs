@@ -1,9 +1,9 @@
 //! What work and energy say of joined bodies at a place, and of the equilibrium toward which they set off.
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, ball, trig};
-use crate::scene::pose;
+use crate::scene::pose::{self, dot};
 use crate::scene::{Acts, Label, Owner, Quantity, Spot};
-use crate::solve::energy::joined::{Accelerations, Account, Motion, Poses, STEP, Vector, dot, right};
+use crate::solve::energy::joined::{Accelerations, Account, Motion, Poses, STEP, Vector, right};
 use crate::solve::outcome::{Course, Refusal, Road, Said};
 
 impl<T: Real> Account<'_, T> {

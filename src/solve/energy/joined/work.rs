@@ -2,10 +2,10 @@
 use crate::num::gauss::{PerNode, Unsettled};
 use crate::num::plant::plant;
 use crate::num::{Real, gauss};
-use crate::scene::pose::Pose;
+use crate::scene::pose::{Pose, dot};
 use crate::scene::{Acts, Spot, StrutEnd, pose};
 use crate::solve::energy::joined::{
-    Account, At, Between, Motion, Poses, SMOOTH, Seen, Stretch, TURNS_OF_ITERATION, Vector, dot, least,
+    Account, At, Between, Motion, Poses, SMOOTH, Seen, Stretch, TURNS_OF_ITERATION, Vector, least,
 };
 use crate::solve::outcome::Refusal;
 use smallvec::{SmallVec, smallvec};
