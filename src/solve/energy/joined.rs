@@ -139,6 +139,8 @@ type OfJoint = SmallVec<[SmallVec<[usize; 2]>; 4]>;
 
 /// The normal force of a joint, as an account has it.
 type Presses<'p, A, T> = dyn Fn(&A, usize) -> Result<Option<T>, Refusal> + 'p;
+/// Hears of a condition its joint, and of each rate in it the place among all and the share.
+type Tell<'t, X> = dyn FnMut(usize, &[(usize, X)]) + 't;
 /// Accelerations of points, told by body and distance along its axis, and of its turn.
 type Accelerations<'a, T> = (&'a dyn Fn(usize, T) -> Vector<T>, &'a dyn Fn(usize) -> T);
 
@@ -458,12 +460,7 @@ impl<'a, T: Real> Account<'a, T> {
 
     /// What the joints forbid, as the bodies lie: tells of each condition its joint, and which rates of which bodies (three each) make with
     /// which shares the velocity that it keeps at 0; where a guide rubs that of its normal force with its friction.
-    fn forbidden<X: Followed<T>>(
-        &self,
-        poses: &pose::Poses<X>,
-        virtually: bool,
-        tell: &mut dyn FnMut(usize, &[(usize, X)]),
-    ) {
+    fn forbidden<X: Followed<T>>(&self, poses: &pose::Poses<X>, virtually: bool, tell: &mut Tell<X>) {
         let [none, one] = [T::zero(), T::of(1.0)].map(X::still);
         let both = [[one, none], [none, one]];
         let tight = |at: Spot, place_m: [Num; 2]| self.layout.toward(poses, at, place_m).0;

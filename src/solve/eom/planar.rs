@@ -98,6 +98,9 @@ pub struct Response<T> {
     pub moves: [Rates<T>; 2],
 }
 
+/// The response of what is driven, and the couple of the drive likewise.
+pub type Driven<T> = (Response<T>, Option<(T, T)>);
+
 /// What a joint holds: a row of the constraint, which is also the direction of its force.
 #[derive(Debug, Clone, Copy)]
 struct Row<T> {
@@ -761,12 +764,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
     /// second derivative is given.
     ///
     /// Errors: as for [`Self::respond`].
-    pub fn driven(
-        &self,
-        state: &State<T>,
-        sliding: &[f64],
-        alpha: T,
-    ) -> Result<(Response<T>, Option<(T, T)>), Refusal> {
+    pub fn driven(&self, state: &State<T>, sliding: &[f64], alpha: T) -> Result<Driven<T>, Refusal> {
         let mut rows = self.rubbing(state, sliding);
         let sense = plant!("eom: couple of a drive", T::of(self.scene.sense(self.lead)));
         let turn = End::turning(self.lead, sense);
