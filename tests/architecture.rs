@@ -34,7 +34,6 @@ const DOORS: &[(&str, &[&str])] = &[
         "solve::ladder",
         &["solve::agree", "solve::eom", "solve::energy", "solve::outcome", "solve::method", "scene", "num"],
     ),
-    ("solve::planted", &["solve::agree", "scene", "num"]),
     ("policy", &[]),
     ("bank", &["scene", "solve::outcome", "units", "finding", "num", "policy"]),
     ("draw", &["bank", "scene", "units", "num"]),

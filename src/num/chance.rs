@@ -37,27 +37,29 @@ pub fn chi_squared_above(x: f64, degrees: f64) -> f64 {
         }
         return (1.0 - front * sum).clamp(0.0, 1.0);
     }
-    let mut b = x + 1.0 - a;
-    let (mut c, mut d) = (1.0 / TINY, 1.0 / b);
-    let (mut h, mut i) = (d, 0.0);
-    for _ in 0..MOST {
-        i += 1.0;
-        let term = -i * (i - a);
-        b += 2.0;
-        d = 1.0 / away(term * d + b);
-        c = away(b + term / c);
+    let b = x + 1.0 - a;
+    let terms = (1..).map(f64::from).map(|i| (-i * (i - a), b + 2.0 * i));
+    (front * continued(1.0 / TINY, b, terms)).clamp(0.0, 1.0)
+}
+
+fn away(x: f64) -> f64 {
+    if x.abs() < TINY { TINY } else { x }
+}
+
+/// The continued fraction `1/(b + a1/(b1 + a2/(b2 + ...)))` of these terms, by the method of Lentz.
+fn continued(above: f64, b: f64, terms: impl Iterator<Item = (f64, f64)>) -> f64 {
+    let (mut c, mut d) = (above, 1.0 / away(b));
+    let mut h = d;
+    for (a, b) in terms.take(MOST) {
+        d = 1.0 / away(a * d + b);
+        c = away(b + a / c);
         let change = c * d;
         h *= change;
         if (change - 1.0).abs() < ENOUGH {
             break;
         }
     }
-    (front * h).clamp(0.0, 1.0)
-}
-
-/// Away from 0.
-fn away(x: f64) -> f64 {
-    if x.abs() < TINY { TINY } else { x }
+    h
 }
 
 /// The regularised incomplete beta function I_x(a, b), a and b > 0: continued fraction of Lentz (Numerical Recipes, 6.4).
@@ -76,23 +78,12 @@ pub fn beta_below(x: f64, a: f64, b: f64) -> f64 {
             + a * trig::ln(x)
             + b * trig::ln(1.0 - x),
     );
-    let (mut c, mut d) = (1.0, 1.0 / away(1.0 - (a + b) * x / (a + 1.0)));
-    let (mut h, mut m) = (d, 0.0);
-    for _ in 0..MOST {
-        m += 1.0;
+    let terms = (1..).map(f64::from).flat_map(|m| {
         let even = m * (b - m) * x / ((a + 2.0 * m - 1.0) * (a + 2.0 * m));
-        d = 1.0 / away(1.0 + even * d);
-        c = away(1.0 + even / c);
-        h *= c * d;
         let odd = -(a + m) * (a + b + m) * x / ((a + 2.0 * m) * (a + 2.0 * m + 1.0));
-        d = 1.0 / away(1.0 + odd * d);
-        c = away(1.0 + odd / c);
-        let change = c * d;
-        h *= change;
-        if (change - 1.0).abs() < ENOUGH {
-            break;
-        }
-    }
+        [(even, 1.0), (odd, 1.0)]
+    });
+    let h = continued(1.0, 1.0 - (a + b) * x / (a + 1.0), terms);
     (front * h / a).clamp(0.0, 1.0)
 }
 

@@ -1,6 +1,6 @@
 //! Forces that no body and no tie brings with it.
 use crate::num::Real;
-use crate::scene::{End, Num, Scene};
+use crate::scene::{End, Num, Numbers, Scene};
 use serde::{Deserialize, Serialize};
 
 /// A couple, of constant moment unless [`Scene::growths`] says otherwise.
@@ -12,6 +12,13 @@ pub struct Couple {
     pub moment_n_m: Num,
     /// True: in the sense of rolling forward.
     pub forward: bool,
+}
+
+impl Couple {
+    /// Something of it, positive in the sense of rolling forward, or in which the angle of its body grows.
+    pub fn signed<T: Real>(&self, x: T) -> T {
+        if self.forward { x } else { -x }
+    }
 }
 
 /// A given force or couple of a scene.
@@ -95,6 +102,11 @@ impl Growth {
 }
 
 impl Scene {
+    /// Moment of the couples on a body as they are at the start, positive with rolling forward; `None` without any.
+    pub fn couple_on<T: Real>(&self, n: &Numbers<T>, body: usize) -> Option<T> {
+        let own = self.couples.iter().filter(|c| c.body == body);
+        own.map(|c| c.signed(n.massive(c.moment_n_m))).reduce(T::balance)
+    }
     /// Growth of a given force or couple, where it does.
     pub fn growth(&self, of: GivenForce) -> Option<&Growth> {
         self.growths.iter().find(|g| g.of == of)

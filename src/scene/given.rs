@@ -16,7 +16,6 @@ const RADIUS: (&str, &[Rule]) = ("m", &[Positive]);
 /// What a number is: its unit, and its rules.
 type Kind<'k> = (&'static str, &'k [Rule]);
 
-/// The unit of a way.
 const fn way(degree: Degree) -> &'static str {
     if matches!(degree, Degree::Along) { "m" } else { "1" }
 }
@@ -34,7 +33,6 @@ fn is_solid(body: &Body) -> bool {
     }
 }
 
-/// The radius of this name.
 fn radius(body: &Body, name: &str) -> Option<Num> {
     body.radii_m.iter().find(|(n, _)| n == name).map(|(_, r)| *r)
 }

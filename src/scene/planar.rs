@@ -38,6 +38,10 @@ pub struct Planar {
 }
 
 impl Planar {
+    /// 1 where its angle counts counter-clockwise, else -1.
+    pub const fn sense(&self) -> f64 {
+        if self.clockwise { -1.0 } else { 1.0 }
+    }
     /// Of a body that a pin of its own holds, with its mass centre so far from it; its angle counts from upright or from hanging.
     pub fn pinned(centre: Place, from: Ray, start_deg: Option<Num>) -> Self {
         Self {
@@ -234,7 +238,7 @@ impl Straight {
             Ray::Left => 180.0,
             Ray::Down => -90.0,
         };
-        Some(axis + if planar.clockwise { -angle } else { angle } + own)
+        Some(axis + planar.sense() * angle + own)
     }
 }
 
@@ -422,6 +426,10 @@ impl Body {
 }
 
 impl Scene {
+    /// [`Planar::sense`] of a body; 1 of one that is not in the plane.
+    pub fn sense(&self, body: usize) -> f64 {
+        self.planar(body).map_or(1.0, Planar::sense)
+    }
     /// The only body of the scene, if its own pin is all that holds it and its weight, couples and a spring to a fixed place are all
     /// that acts on it: what is told of such a pin and spring is told of the body.
     pub fn pinned(&self) -> Option<(usize, &Planar)> {

@@ -7,6 +7,7 @@
 //! turns with the way of its centre; one that leads on a cylinder is told by the angle of its centre. A cord or a light rod guides
 //! its point on a circle, as long as it is at the start.
 mod plan;
+mod springs;
 
 use crate::num::half::Half;
 use crate::num::jet::Followed;
@@ -47,20 +48,20 @@ impl<X: Copy> Pose<X> {
     {
         plus(self.origin, from_origin(self.axis, at))
     }
+    /// The distances of a place from the origin of the axis, along it and to its left.
+    pub fn within<T: Real>(&self, place: [X; 2]) -> [X; 2]
+    where
+        X: Followed<T>,
+    {
+        let from = less(place, self.origin);
+        [dot(from, self.axis), dot(from, left(self.axis))]
+    }
     /// With this point at this place.
     fn through<T: Real>(axis: [X; 2], at: [T; 2], place: [X; 2]) -> Self
     where
         X: Followed<T>,
     {
         Self { origin: less(place, from_origin(axis, at)), axis }
-    }
-}
-
-impl<T: Real> Pose<T> {
-    /// The distances of a place from the origin of the axis, along it and to its left.
-    pub fn within(&self, place: [T; 2]) -> [T; 2] {
-        let from = less(place, self.origin);
-        [dot(from, self.axis), dot(from, left(self.axis))]
     }
 }
 
@@ -89,7 +90,8 @@ fn times<T: Real, X: Followed<T>>(a: [X; 2], by: T) -> [X; 2] {
 fn scaled<X: Copy + Mul<Output = X>>(a: [X; 2], by: X) -> [X; 2] {
     [a[0] * by, a[1] * by]
 }
-fn dot<X: Copy + Add<Output = X> + Mul<Output = X>>(a: [X; 2], b: [X; 2]) -> X {
+/// The scalar product.
+pub fn dot<X: Copy + Add<Output = X> + Mul<Output = X>>(a: [X; 2], b: [X; 2]) -> X {
     a[0] * b[0] + a[1] * b[1]
 }
 /// A vector of this length along a fixed direction.
@@ -209,7 +211,7 @@ pub fn turned_from<T: Real>(planar: &Planar, axis: [T; 2], from: [T; 2]) -> T {
     if across.size() < LEVEL && along.sign() < 0.0 {
         return T::of(f64::NAN);
     }
-    trig::angle(across, along).signed(sense(planar))
+    trig::angle(across, along).signed(planar.sense())
 }
 
 /// A joint holds whose points are no farther apart than this share of the size of everything: printed decimals of a place are rounded.
@@ -229,17 +231,13 @@ fn axis<T: Real>(planar: &Planar, angle: &Half<T>) -> [T; 2] {
 }
 /// The same at the angle of this cosine and sine.
 fn facing<T: Real>(planar: &Planar, [c, s]: [T; 2]) -> [T; 2] {
-    let s = s.signed(sense(planar));
+    let s = s.signed(planar.sense());
     match planar.from {
         Ray::Right => [c, s],
         Ray::Up => [-s, c],
         Ray::Left => [-c, -s],
         Ray::Down => [s, -c],
     }
-}
-/// 1 where the angle of a body counts counter-clockwise, else -1.
-const fn sense(planar: &Planar) -> f64 {
-    if planar.clockwise { -1.0 } else { 1.0 }
 }
 /// A direction with its derivatives where it turns counter-clockwise at this rate, by the leading angle, and with this derivative
 /// of it.
@@ -277,14 +275,19 @@ fn around<T: Real, X: Followed<T>>(
 /// What places the bodies of a scene and is the same on the whole way.
 #[derive(Debug, Clone)]
 pub struct Layout<'a, T: Real> {
-    scene: &'a Scene,
+    /// The scene.
+    pub scene: &'a Scene,
     n: &'a Numbers<'a, T>,
     lead: usize,
     start: Half<T>,
     /// For each joint: the direction of its line, seen from the axis of the body that carries it; zero where it has none.
     pub lines: SmallVec<[[T; 2]; 4]>,
     /// For each force: its direction, in space or from the axis of its body.
-    pub pushes: SmallVec<[[T; 2]; 2]>,
+    pushes: SmallVec<[[T; 2]; 2]>,
+    /// Natural length of each spring; 0 of a torsion spring.
+    pub natural: SmallVec<[T; 2]>,
+    /// Of each torsion spring the direction of the axis of its body at which it is relaxed.
+    relaxed_axes: SmallVec<[[T; 2]; 2]>,
     /// For each joint: how far along its line a wheel is at the start that rolls on it, or how long a cord or a light rod is.
     starts: SmallVec<[T; 4]>,
     /// Where everything is at the start, if cords or light rods guide on the way.
@@ -529,17 +532,17 @@ impl<T: Real> Arc<T> {
 
 /// A surface where a body touches it.
 #[derive(Debug, Clone, Copy)]
-pub struct Touch<T> {
+pub struct Touch<T, X> {
     /// Unit vector from the surface to the body.
-    pub normal: [T; 2],
+    pub normal: [X; 2],
     /// Unit vector along the surface, in the sense in which friction is told; of teeth, to the right of that.
-    pub along: [T; 2],
+    pub along: [X; 2],
     /// Radius of the wheel, negative where it touches on its inner side, and where the surface rises to the left.
     pub radius: T,
     /// The same, whichever side the surface rises to.
     pub rim: T,
     /// Curvature of the way of its centre, positive where it bends away from the normal.
-    pub bend: T,
+    pub bend: X,
 }
 
 /// Sum of all weights and of what springs exert that are stretched by the size of everything, N: what forces are small beside.
@@ -624,6 +627,8 @@ impl<'a, T: Real> Layout<'a, T> {
             start: scene.start_angle(n),
             lines: scene.joints.iter().map(|j| line(&j.kind)).collect(),
             pushes: scene.pushes.iter().map(|p| direction(n, p.direction_deg)).collect(),
+            natural: SmallVec::new(),
+            relaxed_axes: SmallVec::new(),
             starts: scene.joints.iter().map(|_| T::zero()).collect(),
             first: None,
             arc,
@@ -659,8 +664,7 @@ impl<'a, T: Real> Layout<'a, T> {
         self.glide.map(|(along, _)| along)
     }
     fn carried(&self) -> Option<([T; 2], T)> {
-        let placed = smallvec![false; self.scene.bodies.len()];
-        let held = Planner { layout: self, at_start: true, placed, steps: Steps::new() }.held(self.lead);
+        let held = Planner::new(self, true).held(self.lead);
         // The direction of each guide, and how much the way bends there to its left: across a cord about its fixed end.
         let mut lines = self.scene.joints.iter().enumerate().filter_map(|(j, joint)| match joint.kind {
             JointKind::Guide { at, line: Straight { on: None, .. }, .. } if at.body == self.lead => {
@@ -704,7 +708,7 @@ impl<'a, T: Real> Layout<'a, T> {
             Rest::Stretch(wound) => {
                 let [c, s] = self.poses::<T>(T::zero(), true)?[strut.at.body].axis;
                 let [cosine, sine] = direction(self.n, wound);
-                let back = -sine.signed(sense(planar));
+                let back = -sine.signed(planar.sense());
                 [c * cosine - s * back, s * cosine + c * back]
             }
         })
@@ -728,12 +732,13 @@ impl<'a, T: Real> Layout<'a, T> {
     }
     /// The first way in this sense, looked for up to `far`, on which a torsion spring comes to be wound by half a turn, from where it
     /// is relaxed, or a load to its pulley.
-    pub fn overruns(&self, relaxed: &[[T; 2]], sense: f64, far: (T, T)) -> Option<(T, Obstacle)> {
+    pub fn overruns(&self, sense: f64, far: (T, T)) -> Option<(T, Obstacle)> {
         let poses = |way: T| self.poses::<T>(way.signed(sense), false);
         let changes = |value: &dyn Fn(T) -> Option<T>| {
             root::changes(far, &[], &|way| value(way).ok_or(())).unwrap_or_default()
         };
-        let twisted = self.scene.struts.iter().zip(relaxed).enumerate().filter(|(_, (s, _))| s.twists());
+        let twisted =
+            self.scene.struts.iter().zip(&self.relaxed_axes).enumerate().filter(|(_, (s, _))| s.twists());
         let wound = twisted.filter_map(|(s, (strut, [x, y]))| {
             let axis = |way: T| Some(poses(way)?[strut.at.body].axis);
             let ways = changes(&|way| axis(way).map(|[c, s]| *x * s - *y * c));
@@ -834,7 +839,7 @@ impl<'a, T: Real> Layout<'a, T> {
             let apart = off(pose.axis, axis(planar, &Half::of_degrees(told)));
             (apart > MET).then(|| {
                 let across = from[0] * pose.axis[1] - from[1] * pose.axis[0];
-                let lies = trig::angle(across, dot(from, pose.axis)).signed(sense(planar));
+                let lies = trig::angle(across, dot(from, pose.axis)).signed(planar.sense());
                 (body, [told.f64(), lies.f64().to_degrees()])
             })
         })
@@ -907,7 +912,7 @@ impl<'a, T: Real> Layout<'a, T> {
         all.enumerate().find(|(_, off)| off.is_nan() || *off > MET * size)
     }
     /// Where a point of a body is.
-    fn spot<X: Followed<T>>(&self, spot: Spot, poses: &Poses<X>) -> [X; 2] {
+    pub fn spot<X: Followed<T>>(&self, spot: Spot, poses: &Poses<X>) -> [X; 2] {
         poses[spot.body].point(of_spot(self.scene, self.n, spot))
     }
     /// How far a point is along the line of a joint and to its left.
@@ -915,11 +920,6 @@ impl<'a, T: Real> Layout<'a, T> {
         let through = line.on.map_or_else(|| ground(self.n, line.through_m), |on| self.spot(on, poses));
         let (from, unit) = (less(self.spot(at, poses), through), self.line(joint, poses));
         [dot(unit, from), dot(left(unit), from)]
-    }
-    /// How far a point is from a fixed place.
-    fn distance<X: Followed<T>>(&self, poses: &Poses<X>, at: Spot, place_m: [Num; 2]) -> X {
-        let apart = less(self.spot(at, poses), fixed(ground(self.n, place_m)));
-        dot(apart, apart).square_root()
     }
     /// How long a cord or a light rod is that holds a point, as far as its fixed place or on to another body.
     fn cord(&self, poses: &Poses<T>, near: (Spot, [Num; 2]), beyond: Option<(Spot, [Num; 2])>) -> T {
@@ -952,27 +952,26 @@ impl<'a, T: Real> Layout<'a, T> {
         line.map(|x| x.signed(forth))
     }
     /// How a body touches the surface of a joint with its centre at this place; `line` is the direction of a straight one.
-    pub fn touch(&self, joint: usize, centre: [T; 2], line: [T; 2]) -> Option<Touch<T>> {
+    pub fn touch<X: Followed<T>>(&self, joint: usize, centre: [X; 2], line: [X; 2]) -> Option<Touch<T, X>> {
         let kind = &self.scene.joints[joint].kind;
         let ((_, radius_m, surface), [_, teeth]) = (kind.surface()?, kind.rolls());
         let own = self.n.get(radius_m);
         let (normal, bend, radius) = match surface {
-            Surface::Line(_) => (left(line), T::zero(), own),
+            Surface::Line(_) => (left(line), X::still(T::zero()), own),
             Surface::Arc { centre_m, radius_m, inside, .. } => {
                 // A hoop hangs on its inner side.
                 let radius = if inside && self.n.get(radius_m).below(own) { -own } else { own };
-                let axis = ground(self.n, centre_m);
-                let out = [centre[0] - axis[0], centre[1] - axis[1]];
-                let apart = (out[0].square() + out[1].square()).root();
-                let sense = if inside { -1.0 } else { 1.0 };
-                (out.map(|x| (x / apart).signed(sense)), (T::of(1.0) / apart).signed(sense), radius)
+                let out = less(centre, fixed(ground(self.n, centre_m)));
+                let apart = dot(out, out).square_root();
+                let sense = |x: X| if inside { -x } else { x };
+                (out.map(|x| sense(x / apart)), sense(X::still(T::of(1.0)) / apart), radius)
             }
         };
         let right = [normal[1], -normal[0]];
-        let up = if teeth { 1.0 } else { upward(right) };
+        let up = if teeth { 1.0 } else { upward(right.map(X::here)) };
         Some(Touch {
             normal,
-            along: right.map(|x| x.signed(up)),
+            along: if up < 0.0 { right.map(|x| -x) } else { right },
             radius: radius.signed(up),
             rim: radius,
             bend,
@@ -1056,12 +1055,7 @@ impl<'a, T: Real> Layout<'a, T> {
     }
     /// The order in which joints place all bodies; or else the first that they do not.
     fn planned(&self, at_start: bool) -> Result<Steps<T>, usize> {
-        let mut planner = Planner {
-            layout: self,
-            at_start,
-            placed: smallvec![false; self.scene.bodies.len()],
-            steps: Steps::new(),
-        };
+        let mut planner = Planner::new(self, at_start);
         // What rods hold fast beside the leading body is placed before it: it turns there on the axle that they hold.
         for body in (0..self.scene.bodies.len()).filter(|body| *body != self.lead) {
             if !planner.placed[body]
@@ -1091,7 +1085,7 @@ impl<'a, T: Real> Layout<'a, T> {
     fn axis<X: Followed<T>>(&self, turned: T, rate: T) -> Option<[X; 2]> {
         let planar = self.scene.bodies[self.lead].planar.as_ref()?;
         let direction = axis(planar, &self.start.plus(Half::of_radians(turned)));
-        Some(turning(direction, rate.signed(sense(planar)), T::zero()))
+        Some(turning(direction, rate.signed(planar.sense()), T::zero()))
     }
 
     /// How the leading body is held, if it hangs on a fixed pin.
@@ -1106,7 +1100,7 @@ impl<'a, T: Real> Layout<'a, T> {
     /// Where the leading body is at this angle, if it hangs on a fixed pin.
     pub fn hung<X: Followed<T>>(&self, angle: &Half<T>) -> Option<Pose<X>> {
         let (planar, at, place) = self.pinned()?;
-        let direction = turning(axis(planar, angle), T::of(sense(planar)), T::zero());
+        let direction = turning(axis(planar, angle), T::of(planar.sense()), T::zero());
         Some(Pose::through(direction, at, fixed(place)))
     }
     /// How far it has moved from the start with this change of its angle, to this angle: a difference of two directions is a product,
@@ -1115,7 +1109,7 @@ impl<'a, T: Real> Layout<'a, T> {
         let (planar, at, _) = self.pinned()?;
         let step = Half::of_radians(turned);
         let middle = angle.map_or_else(|| self.start.plus(step), |angle| *angle).plus(self.start);
-        let by = step.sine.scale2(1).signed(sense(planar));
+        let by = step.sine.scale2(1).signed(planar.sense());
         let axis = left(facing(planar, [middle.cosine, middle.sine])).map(|x| x * by);
         Some(Pose { origin: from_origin(axis, at).map(|x| -x), axis })
     }
@@ -1137,7 +1131,7 @@ impl<'a, T: Real> Layout<'a, T> {
                 Pose::through(self.axis(way * arc.ratio, arc.ratio)?, *at, centre)
             }
             Step::Wheel(track, start) => {
-                let sense = sense(self.scene.bodies[self.lead].planar.as_ref()?);
+                let sense = self.scene.sense(self.lead);
                 let turned = X::with(way.signed(sense), || [T::of(sense), T::zero()]);
                 let ahead =
                     turned.by(plant!("pose: way of a wheel on a line", -track.radius)) + X::still(*start);
@@ -1198,7 +1192,7 @@ impl<'a, T: Real> Layout<'a, T> {
                 Pose::through(axis, *at, place)
             }
             Step::Orbits(held, ratio, axis) => {
-                let sense = sense(self.scene.bodies[self.lead].planar.as_ref()?);
+                let sense = self.scene.sense(self.lead);
                 let turned = X::with((way * *ratio).signed(sense), || [ratio.signed(sense), T::zero()]);
                 Pose::through(rolled(*axis, turned), held.at, place(held, poses))
             }

@@ -149,7 +149,8 @@ fn fitting(scene: &Scene, data: &[f64]) -> Option<Scales> {
     let fit = |scales: &Scales| {
         let Some((scene, data)) = scales.of(scene, data) else { return false };
         let both = || (eom::road::<Dd>(&scene, &data), energy::road::<Dd>(&scene, &data));
-        !dd::watch(both).1 || agreed(&scene, &data).is_some_and(|solved| is_narrow(&scene, &data, &solved))
+        let agreed = || alone::<Dd>(&scene, &data, Scope::ALL)?.confirm(&scene, &data);
+        !dd::watch(both).1 || agreed().is_ok_and(|solved| is_narrow(&scene, &data, &solved))
     };
     Scales::tried(scene, data).find(fit)
 }
@@ -167,11 +168,6 @@ fn is_narrow(scene: &Scene, data: &[f64], solved: &Solved) -> bool {
         summed || radius == 0.0 || size.is_finite() && radius <= NARROW * size
     };
     !doubt && road.is_ok_and(|road| road.said.iter().all(narrow))
-}
-
-/// What the roads agree on in the units of the data, if they do.
-fn agreed(scene: &Scene, data: &[f64]) -> Option<Solved> {
-    alone::<Dd>(scene, data, Scope::ALL).and_then(|half| half.confirm(scene, data)).ok()
 }
 
 /// Solves with the scene and its data in these units. Errors: data that leave the doubles there.

@@ -10,4 +10,5 @@ pub mod method;
 pub mod outcome;
 pub mod physical;
 #[cfg(test)]
+#[path = "../../tests/mechanics/planted.rs"]
 mod planted;

@@ -3,6 +3,7 @@
 use crate::num::Lanes;
 use crate::num::dd::pow2;
 use crate::num::gauss::Unsettled;
+use crate::num::linear::Singular;
 use crate::num::ode::Trouble;
 use crate::num::{Fast, Real, ball};
 use crate::scene::{
@@ -629,6 +630,12 @@ pub fn all_slide(scene: &Scene, slides: &[f64]) -> Result<(), Refusal> {
     let stuck = |(joint, sense): (&Joint, &f64)| joint.kind.mu_k().is_some() && *sense == 0.0;
     let stuck = scene.joints.iter().zip(slides).position(stuck);
     stuck.map_or(Ok(()), |joint| Err(Refusal::Friction(joint, Lacks::Sliding)))
+}
+
+impl From<Singular> for Refusal {
+    fn from(Singular { unknowns, rank }: Singular) -> Self {
+        Self::Singular { unknowns, rank }
+    }
 }
 
 impl From<Unsettled> for Refusal {

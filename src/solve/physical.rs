@@ -52,20 +52,16 @@ pub fn fill_drive<P: Real>(
     }
 }
 
-/// Regime, checks and words of an instant: which way it would go and how far is not asked.
-fn judge_instant<P: Real>(scene: &Scene, held: &[Held<P>]) -> (Regime, Vec<Check>, Vec<(Label, Word)>) {
-    let (regime, mut checks, mut words) = judge(scene, &Course::at_rest(), held);
+/// Regime, checks and words of a scene, from one road.
+pub fn judge_road<P: Real>(scene: &Scene, road: &Road<P>) -> (Regime, Vec<Check>, Vec<(Label, Word)>) {
+    if let Some(course) = &road.course {
+        return judge(scene, course, &road.held);
+    }
+    // Of an instant it is not asked which way it would go and how far.
+    let (regime, mut checks, mut words) = judge(scene, &Course::at_rest(), &road.held);
     checks.retain(|c| c.kind != CheckKind::Moves);
     words.retain(|(label, _)| label.quantity != Quantity::Direction);
     (Regime { motion: Motion::Instant, ..regime }, checks, words)
-}
-
-/// Regime, checks and words of a scene, from one road.
-pub fn judge_road<P: Real>(scene: &Scene, road: &Road<P>) -> (Regime, Vec<Check>, Vec<(Label, Word)>) {
-    match &road.course {
-        Some(course) => judge(scene, course, &road.held),
-        None => judge_instant(scene, &road.held),
-    }
 }
 
 /// Whether the motion that follows goes as it is said to, from one road.

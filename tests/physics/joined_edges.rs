@@ -42,6 +42,26 @@ end: equilibrium
     all_near(&told(&hanging, &["phi", "omega_small"]), &[f64::to_radians(60.0), square.sqrt()], 1e-12);
 }
 
+/// In a horizontal plane no weight presses a disc on its wall: it rolls there evenly if a force does.
+#[test]
+fn what_nothing_presses_on_its_wall_is_refused_by_that() {
+    let disc = |forces: &str| {
+        format!(
+            "
+bodies: {{disc: {{mass: 3 kg, shape: {{disc: 0.2 m}}, moves: in a horizontal plane, placed: [0 m, 0.2 m]}}}}
+joints: {{A: {{rolls: disc, radius: 0.2 m, along: horizontal}}}}
+{forces}
+start: {{disc: {{spin: -4 rad/s}}}}
+end: {{time: {{of: disc, is: 2 s}}}}
+"
+        )
+    };
+    let (_, alone) = solved(&disc(""));
+    assert_eq!(alone.checks.iter().find(|c| !c.ok).map(|c| c.kind), Some(CheckKind::Pressed));
+    let pressed = disc("forces: [force: {on: disc, magnitude: 5 N, direction: down}]");
+    all_near(&told(&pressed, &["phi", "disc.v", "A.normal"]), &[8.0, 0.8, 5.0], 1e-12);
+}
+
 /// A crate on two rough corners is under way: friction 0.2 m g against it, and more of the weight on the corner ahead.
 #[test]
 fn a_crate_starts_with_a_speed() {

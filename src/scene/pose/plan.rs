@@ -3,10 +3,10 @@ use crate::num::Real;
 use crate::num::half::Half;
 use crate::scene::pose::{
     Arc, Guided, Held, Hung, Known, Layout, Line, MET, Pose, Step, Steps, Track, axis, direction, dot,
-    from_origin, ground, left, less, of_spot, off, parallel, plus, sense, times,
+    from_origin, ground, left, less, of_spot, off, parallel, plus, times,
 };
 use crate::scene::{Branch, JointKind, Place, Planar, Spot, Straight, Surface, pose};
-use smallvec::SmallVec;
+use smallvec::{SmallVec, smallvec};
 
 /// Where a body lies by default, and the other side.
 const SIDES: [f64; 2] = [1.0, -1.0];
@@ -24,7 +24,10 @@ pub struct Planner<'l, 'a, T: Real> {
     pub steps: Steps<T>,
 }
 
-impl<'a, T: Real> Planner<'_, 'a, T> {
+impl<'l, 'a, T: Real> Planner<'l, 'a, T> {
+    pub fn new(layout: &'l Layout<'a, T>, at_start: bool) -> Self {
+        Self { layout, at_start, placed: smallvec![false; layout.scene.bodies.len()], steps: Steps::new() }
+    }
     pub fn add(&mut self, body: usize, step: Step<T>) {
         for placed in [Some(body), step.partner()].into_iter().flatten() {
             self.placed[placed] = true;
@@ -177,7 +180,7 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
     }
     /// How far the leading body turns to the left on its way.
     fn turn(&self) -> Option<T> {
-        Some(self.layout.ratio().signed(sense(self.planar(self.layout.lead)?)))
+        Some(self.layout.ratio().signed(self.layout.scene.sense(self.layout.lead)))
     }
 
     /// Where the axis of a body begins at the start, if that is told.

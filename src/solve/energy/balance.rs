@@ -8,8 +8,7 @@ use crate::num::eliminate::Equations;
 use crate::num::plant::plant;
 use crate::scene::pose;
 use crate::scene::{
-    Attach, BodyNumbers, Carried, Coordinate, CordEnd, Couple, Degree, Far, GivenForce, Grows, Numbers,
-    Scene, Side, Tie,
+    BodyNumbers, Carried, Coordinate, Couple, Degree, Far, GivenForce, Grows, Numbers, Scene, Tie,
 };
 use crate::solve::energy::speeds::{self, Mode};
 use smallvec::{SmallVec, smallvec};
@@ -72,7 +71,7 @@ pub fn powers<T: Real>(scene: &Scene, n: &Numbers<T>, mode: &Mode<T>, friction: 
     }
     for c in &scene.couples {
         let turn = mode.w[c.body] * plant!("energy: work of a couple", n.massive(c.moment_n_m));
-        list.push(Power { tie: None, power: if c.forward { turn } else { -turn } });
+        list.push(Power { tie: None, power: c.signed(turn) });
     }
     for (t, tie) in scene.ties.iter().enumerate() {
         let power = match tie {
@@ -121,7 +120,7 @@ fn works_along<T: Real>(scene: &Scene, n: &Numbers<T>, mode: &Mode<T>, of: Given
         },
         GivenForce::Couple(i) => {
             let couple = &scene.couples[i];
-            mode.w[couple.body].signed(if couple.forward { 1.0 } else { -1.0 })
+            couple.signed(mode.w[couple.body])
         }
     }
 }
@@ -232,7 +231,7 @@ fn alone<T: Real>(scene: &Scene, n: &Numbers<T>, c: Coordinate, own: T, pulls: &
         let growth = grown(scene, n, GivenForce::Couple(i));
         let moment = n.massive(k.moment_n_m);
         let moment = growth.map_or(moment, |growth| moment + growth * pulls[0]);
-        surplus = surplus + if k.forward { moment } else { -moment };
+        surplus = surplus + k.signed(moment);
         size += moment.size();
     }
     (surplus, size)
@@ -246,18 +245,8 @@ fn levers<T: Real>(
     pulls: &[T],
     mut act: impl FnMut(usize, T, Option<T>),
 ) {
-    let cord_lever = |end: &CordEnd| -> T {
-        let sense = if end.forward { 1.0 } else { -1.0 };
-        match (c.degree, end.attach) {
-            (Degree::Along, _) => match end.tilt_deg {
-                Some(tilt) => pose::direction(n, tilt)[0].signed(sense),
-                None => T::of(sense),
-            },
-            (Degree::Turn, Attach::Centre) => T::zero(),
-            (Degree::Turn, Attach::Wound(p, Side::Top)) => n.get(p).signed(sense),
-            (Degree::Turn, Attach::Wound(p, Side::Bottom)) => n.get(p).signed(-sense),
-        }
-    };
+    // A force has the power of its point, here at the unit velocity of the coordinate.
+    let [v, w] = speeds::unit(c.degree);
     let mut springs = 0..;
     for (t, tie) in scene.ties.iter().enumerate() {
         match tie {
@@ -282,12 +271,12 @@ fn levers<T: Real>(
                     _ => None,
                 };
                 if cord.from.body == c.body {
-                    act(t, cord_lever(&cord.from), known);
+                    act(t, speeds::of_end(n, &cord.from, v, w), known);
                 }
                 if let Far::Body(other) = &cord.to
                     && other.body == c.body
                 {
-                    act(t, cord_lever(other), known);
+                    act(t, speeds::of_end(n, other, v, w), known);
                 }
             }
             _ => {}

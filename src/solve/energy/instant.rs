@@ -76,10 +76,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
         say(Quantity::PowerPull, Owner::Tie(tie), power);
     }
     for b in 0..scene.bodies.len() {
-        let own = scene.couples.iter().filter(|c| c.body == b);
-        let power =
-            own.map(|c| (n.massive(c.moment_n_m) * motion.w[b]).signed(if c.forward { 1.0 } else { -1.0 }));
-        if let Some(power) = power.reduce(T::balance) {
+        if let Some(power) = scene.couple_on(n, b).map(|moment| moment * motion.w[b]) {
             say(Quantity::PowerCouple, Owner::Body(b), plant!("energy: power of couples at once", power));
         }
     }

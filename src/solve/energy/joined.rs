@@ -18,12 +18,9 @@ use crate::num::half::Half;
 use crate::num::jet::Followed;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
-use crate::num::{Dd, Jet, Real, ball, root, trig};
-use crate::scene::pose::{self, Layout, Obstacle, Pose};
-use crate::scene::{
-    Acts, Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Quantity, Rest, Scene, Spot, Strut,
-    StrutEnd, Surface,
-};
+use crate::num::{Dd, Jet, Real, ball, trig};
+use crate::scene::pose::{self, Layout, Obstacle, Pose, dot};
+use crate::scene::{Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Quantity, Scene, Spot};
 use crate::solve::energy::pendulum::Pendulum;
 use crate::solve::method::Method;
 use crate::solve::outcome::{self, Course, Refusal, Road, Scope};
@@ -82,10 +79,6 @@ struct Account<'a, T: Real> {
     layout: Layout<'a, T>,
     /// Distance of the mass centre of each body along its axis, and its radius of gyration.
     centres: SmallVec<[(T, T); 2]>,
-    /// Natural length of each spring; 0 of a torsion spring.
-    natural: SmallVec<[T; 2]>,
-    /// Of each torsion spring the direction of the axis of its body at which it is relaxed.
-    relaxed: SmallVec<[Vector<T>; 2]>,
     /// Ways after which springs are met or let go of.
     meets: SmallVec<[T; 4]>,
     /// Sense in which the leading angle changes.
@@ -146,6 +139,8 @@ type OfJoint = SmallVec<[SmallVec<[usize; 2]>; 4]>;
 
 /// The normal force of a joint, as an account has it.
 type Presses<'p, A, T> = dyn Fn(&A, usize) -> Result<Option<T>, Refusal> + 'p;
+/// Hears of a condition its joint, and of each rate in it the place among all and the share.
+type Tell<'t, X> = dyn FnMut(usize, &[(usize, X)]) + 't;
 /// Accelerations of points, told by body and distance along its axis, and of its turn.
 type Accelerations<'a, T> = (&'a dyn Fn(usize, T) -> Vector<T>, &'a dyn Fn(usize) -> T);
 
@@ -172,9 +167,6 @@ struct Balance<T> {
 fn least<T: Real>(one: T, other: &T) -> T {
     if other.below(one) { *other } else { one }
 }
-fn dot<T: Real>(a: Vector<T>, b: Vector<T>) -> T {
-    a[0] * b[0] + a[1] * b[1]
-}
 
 /// A quarter turn to the right.
 fn right<T: Real>([x, y]: Vector<T>) -> Vector<T> {
@@ -182,10 +174,10 @@ fn right<T: Real>([x, y]: Vector<T>) -> Vector<T> {
 }
 
 /// Moment of a unit vector at a point of a body about the origin of its axis.
-fn about<T: Real>(poses: &Poses<T>, body: usize, [along, aside]: Vector<T>, u: Vector<T>) -> T {
-    let [c, s] = poses[body].axis.map(|x| x.value);
+fn about<T: Real, X: Followed<T>>([c, s]: [X; 2], [along, aside]: [X; 2], u: [X; 2]) -> X {
     let turn = along * (u[1] * c - u[0] * s);
-    if aside.is_nothing() { turn } else { turn - aside * (u[0] * c + u[1] * s) }
+    let on_axis = aside.here().is_nothing() && aside.derivatives().iter().all(|x| x.is_nothing());
+    if on_axis { turn } else { turn - aside * (u[0] * c + u[1] * s) }
 }
 
 /// Everything that work and energy say of a scene of joined bodies, the time only if it is asked, and at how many places they looked.
@@ -326,19 +318,19 @@ impl<'a, T: Real> Account<'a, T> {
             let gyration = if turns { (numbers.inertia / numbers.mass).root() } else { T::zero() };
             (pose::along(n, centre), gyration)
         });
-        let mut account = Self {
+        let mut layout = Layout::new(scene, n).ok_or(Refusal::Freedoms(2))?;
+        layout.measure_springs().ok_or(Refusal::Freedoms(2))?;
+        Ok(Self {
             scene,
             n,
             lead,
-            layout: Layout::new(scene, n).ok_or(Refusal::Freedoms(2))?,
+            horizon: layout.horizon(),
+            layout,
             centres: centres.collect(),
-            natural: SmallVec::new(),
-            relaxed: SmallVec::new(),
             meets: SmallVec::new(),
             sense: 1.0,
             stride: STEP,
             widest: STEP,
-            horizon: T::zero(),
             pinned: false,
             pendulum: None,
             slides: scene.joints.iter().map(|_| 0.0).collect(),
@@ -351,18 +343,7 @@ impl<'a, T: Real> Account<'a, T> {
             looked: Cell::new(0),
             points: None,
             granted: false,
-        };
-        account.horizon = account.layout.horizon();
-        let poses = account.placed()?;
-        for (s, strut) in scene.struts.iter().enumerate() {
-            account.relaxed.push(account.layout.relaxed(strut).ok_or(Refusal::Freedoms(2))?);
-            account.natural.push(match strut.rest {
-                _ if strut.twists() => T::zero(),
-                Rest::Length(l) => n.get(l),
-                Rest::Stretch(x) => account.length(&poses, s).value - n.get(x),
-            });
-        }
-        Ok(account)
+        })
     }
 
     fn poses(&self, way: T) -> Result<Poses<T>, Refusal> {
@@ -386,31 +367,13 @@ impl<'a, T: Real> Account<'a, T> {
     fn placed(&self) -> Result<Poses<T>, Refusal> {
         self.layout.poses(T::zero(), true).ok_or(Refusal::Freedoms(2))
     }
-    /// Ways after which springs that only push or pull are met or let go of, one after the other; of all springs those after which they
-    /// have their natural length or are shortest or longest, so that the force of none turns within a hair.
+    /// The ways of [`Layout::meets`].
     fn springs_met(&self, all: bool) -> SmallVec<[T; 4]> {
-        let far = (self.layout.horizon(), T::of(STEP));
-        let looked = |s: &usize| match self.scene.struts[*s].acts {
-            Acts::Both => all && !self.scene.struts[*s].twists(),
-            Acts::Pushes | Acts::Pulls => true,
-        };
-        let ways = (0..self.scene.struts.len()).filter(looked).flat_map(|s| {
-            let square = |way: T| {
-                let [x, y] = self.apart(&self.poses(way)?, s);
-                Ok::<_, Refusal>(x.value.square() + y.value.square())
-            };
-            let turns =
-                if self.scene.struts[s].twists() { SmallVec::new() } else { root::turns(far, &square) };
-            let value = |way: T| Ok::<_, Refusal>(self.length(&self.poses(way)?, s).value - self.natural[s]);
-            let met = root::changes(far, &turns, &value).unwrap_or_default();
-            met.into_iter().chain(turns.into_iter().filter(move |_| all))
-        });
-        let mut all: SmallVec<[T; 4]> = ways.collect();
-        all.sort_by(|a, b| a.f64().total_cmp(&b.f64()));
-        all
+        let met = self.layout.meets(all, self.sense, (self.layout.horizon(), T::of(STEP)));
+        met.into_iter().map(|(_, way)| way).collect()
     }
     fn point(&self, poses: &Poses<T>, spot: Spot) -> pose::Point<T> {
-        poses[spot.body].point(pose::of_spot(self.scene, self.n, spot))
+        self.layout.spot(spot, poses)
     }
     fn centre(&self, poses: &Poses<T>, body: usize) -> pose::Point<T> {
         poses[body].point([self.centres[body].0, T::zero()])
@@ -421,53 +384,14 @@ impl<'a, T: Real> Account<'a, T> {
         let apart = plant!("energy: equimomental particles", gyration);
         [centre + apart, centre - apart].map(|along| poses[body].point([along, T::zero()]))
     }
-    /// From one end of a spring to the other; of a torsion spring the angle of its body from where that is relaxed.
-    fn apart(&self, poses: &Poses<T>, s: usize) -> pose::Point<T> {
-        let Strut { at, to, .. } = &self.scene.struts[s];
-        let near = self.point(poses, *at);
-        let far = match to {
-            StrutEnd::Twist => {
-                let (Pose { axis, .. }, sense) = (&poses[at.body], self.counts(at.body));
-                let planar = self.scene.planar(at.body);
-                let turned = |p| pose::turned_from(p, axis.map(|x| x.value), self.relaxed[s]);
-                let (first, second) = poses[at.body].turn();
-                let value = planar.map_or_else(T::zero, turned);
-                let angle = Jet { value, first: first.signed(sense), second: second.signed(sense) };
-                return [angle, Jet::fixed(T::zero())];
-            }
-            StrutEnd::Ground(place) => pose::ground(self.n, *place).map(Jet::fixed),
-            StrutEnd::Spot(spot) => self.point(poses, *spot),
-            StrutEnd::Guide { through_m, direction_deg } => {
-                let line = [pose::ground(self.n, *through_m), pose::direction(self.n, *direction_deg)];
-                let [through, along] = line.map(|x| x.map(Jet::fixed));
-                pose::foot(near, through, along)
-            }
-        };
-        [far[0] - near[0], far[1] - near[1]]
-    }
-    /// Length of a spring; of a torsion spring that angle.
-    fn length(&self, poses: &Poses<T>, s: usize) -> Jet<T> {
-        let [x, y] = self.apart(poses, s);
-        if self.scene.struts[s].twists() { x } else { (x * x + y * y).square_root() }
-    }
-
     /// [`Layout::overruns`].
     fn overruns(&self, far: (T, T)) -> Option<(T, Obstacle)> {
-        ball::unwatched(|| self.layout.overruns(&self.relaxed, self.sense, far))
+        ball::unwatched(|| self.layout.overruns(self.sense, far))
     }
-    /// Does a spring of this length press, or pull, where it can do but one of them?
-    fn bears(&self, s: usize, length: T) -> bool {
-        match self.scene.struts[s].acts {
-            Acts::Both => true,
-            Acts::Pushes => length.below(self.natural[s]),
-            Acts::Pulls => self.natural[s].below(length),
-        }
-    }
-
     /// The motion of unit rate of the leading angle.
     fn rates(&self, poses: &Poses<T>) -> Motion<T> {
         if self.pinned {
-            return smallvec![[T::zero(), T::zero(), T::of(self.counts(self.lead))]];
+            return smallvec![[T::zero(), T::zero(), T::of(self.scene.sense(self.lead))]];
         }
         poses.iter().map(|p| [p.origin[0].first, p.origin[1].first, p.turn().0]).collect()
     }
@@ -534,159 +458,161 @@ impl<'a, T: Real> Account<'a, T> {
         solved
     }
 
-    /// What the joints forbid: the rows of their conditions, where a guide rubs that of its normal force with its friction.
-    /// `held` is the motion that the last rows keep from: the leading angle, and a drift.
-    fn conditions(&self, poses: &Poses<T>, virtually: bool, rights: usize) -> (Equations<T>, OfJoint) {
-        let columns = 3 * self.scene.bodies.len();
-        let mut rows = Equations::with_rights(columns, rights);
-        let mut of_joint = OfJoint::new();
-        // From a point to the place to which its cord leads.
-        let tight = |at: Spot, place_m: [Num; 2]| {
-            let (near, far) = (self.point(poses, at), pose::ground(self.n, place_m));
-            let apart = [far[0] - near[0].value, far[1] - near[1].value];
-            let length = dot(apart, apart).root();
-            apart.map(|x| x / length)
-        };
-        let mut count = 0;
-        // Of each straight guide its body, what carries it, its direction, its normal with its friction, and its row.
-        let mut guides: SmallVec<[(Guided, Vector<T>, usize); 4]> = SmallVec::new();
-        let mut parallel: SmallVec<[(usize, usize, Guided); 2]> = SmallVec::new();
+    /// What the joints forbid, as the bodies lie: tells of each condition its joint, and which rates of which bodies (three each) make with
+    /// which shares the velocity that it keeps at 0; where a guide rubs that of its normal force with its friction.
+    fn forbidden<X: Followed<T>>(&self, poses: &pose::Poses<X>, virtually: bool, tell: &mut Tell<X>) {
+        let [none, one] = [T::zero(), T::of(1.0)].map(X::still);
+        let both = [[one, none], [none, one]];
+        let tight = |at: Spot, place_m: [Num; 2]| self.layout.toward(poses, at, place_m).0;
         for (j, (joint, rubs)) in self.scene.joints.iter().zip(&self.rubs).enumerate() {
-            let (mut rim, mut below, [rolls, teeth]) = (T::zero(), T::zero(), joint.kind.rolls());
-            let ground: Option<(Spot, SmallVec<[Vector<T>; 2]>)> = match joint.kind {
-                JointKind::Pin { at, .. } => {
-                    Some((at, smallvec![[T::of(1.0), T::zero()], [T::zero(), T::of(1.0)]]))
-                }
-                JointKind::Guide { at, .. } | JointKind::Contact { at, .. } => {
-                    let rub = match joint.kind.mu_k() {
-                        Some(mu) if virtually && *rubs != 0.0 => {
-                            plant!("energy: friction in a guide", self.n.get(mu)).signed(*rubs)
-                        }
-                        _ => T::zero(),
-                    };
-                    let centre = self.point(poses, at).map(|x| x.value);
-                    self.layout.touch(j, centre, self.line(poses, j)).map(|touch| {
-                        rim = plant!("energy: radius of a rolling wheel", touch.radius);
-                        below = -(rub * plant!("energy: radius at which a wheel rubs", touch.rim));
-                        let [x, y] = touch.normal;
-                        let both = [[x - rub * y, y + rub * x], touch.along];
-                        (at, both[usize::from(teeth)..1 + usize::from(rolls)].iter().copied().collect())
-                    })
-                }
-                JointKind::Cord { at, place_m, .. } => Some((at, smallvec![tight(at, place_m)])),
-                JointKind::Hinge { .. } => None,
-            };
-            if let (true, Some((at, directions)), JointKind::Guide { line, .. }) =
-                (T::ENCLOSES, &ground, joint.kind)
-            {
-                let (own, u) = ((at.body, line.on.map(|on| on.body), line.direction_deg), directions[0]);
-                let alike = |(guided, v, _): &&(Guided, Vector<T>, usize)| {
-                    *guided == own && u[0].same(v[0]) && u[1].same(v[1])
-                };
-                match guides.iter().find(alike) {
-                    Some((.., row)) => parallel.push((*row, count, own)),
-                    None => guides.push((own, u, count)),
-                }
-            }
-            let mut own: SmallVec<[usize; 2]> = SmallVec::new();
-            let mut add = |ends: &[(Spot, Vector<T>, T)]| {
-                let row = rows.row();
-                let mut end = |body: usize, r: Vector<T>, u: Vector<T>, rim: T| {
+            let mut add = |ends: &[(Spot, [X; 2], X)]| {
+                let mut parts: SmallVec<[(usize, X); 12]> = SmallVec::new();
+                let mut end = |body: usize, r: [X; 2], u: [X; 2], rim: X| {
                     // Velocities of the point by those of the origin and the turn.
-                    let at = 3 * body;
-                    row[at] = row[at] + u[0];
-                    row[at + 1] = row[at + 1] + u[1];
+                    parts.extend([(3 * body, u[0]), (3 * body + 1, u[1])]);
                     if self.scene.bodies[body].turns {
-                        row[at + 2] = row[at + 2]
-                            + plant!("energy: turn about the origin of the axis", about(poses, body, r, u))
-                            + rim;
+                        parts.push((3 * body + 2, about(poses[body].axis, r, u) + rim));
                     }
                 };
                 for (spot, u, rim) in ends {
-                    end(spot.body, pose::of_spot(self.scene, self.n, *spot), *u, *rim);
+                    end(spot.body, pose::of_spot(self.scene, self.n, *spot).map(X::still), *u, *rim);
                     if let Some(on) = joint.kind.bearer() {
                         // What carries the line, or turns under it, moves at the same place.
-                        let place = self.point(poses, *spot).map(|x| x.value);
-                        let back = u.map(|x| plant!("energy: velocity of what carries a line", -x));
-                        end(on.body, poses[on.body].here().within(place), back, -*rim);
+                        let back = plant!("energy: velocity of what carries a line", T::of(-1.0));
+                        let place = poses[on.body].within(self.layout.spot(*spot, poses));
+                        end(on.body, place, u.map(|x| x.by(back)), -*rim);
                     }
                 }
-                own.push(count);
-                count += 1;
+                tell(j, &parts);
             };
-            match (ground, joint.kind) {
-                // What comes off the one end of a cord goes to the other.
-                (Some((at, directions)), JointKind::Cord { beyond: Some((to, place_m)), .. }) => {
-                    let far = tight(to, place_m).map(|x| plant!("energy: other end of a cord", x));
-                    add(&[(at, directions[0], T::zero()), (to, far, T::zero())]);
-                }
-                // The last condition of a wheel that rolls is that its rim does not slip; where it slips, friction acts at the rim.
-                (Some((at, directions)), _) => {
-                    for (i, u) in directions.iter().enumerate() {
-                        let slips = rolls && i + 1 == directions.len();
-                        add(&[(at, *u, if slips { rim } else { below })]);
-                    }
-                }
-                (None, JointKind::Hinge { one, other, turned_deg }) => {
-                    let none = T::zero();
-                    for u in [[T::of(1.0), none], [none, T::of(1.0)]] {
-                        add(&[(one, u, none), (other, u.map(|x| -x), none)]);
-                    }
+            match joint.kind {
+                JointKind::Pin { at, .. } => both.iter().for_each(|u| add(&[(at, *u, none)])),
+                JointKind::Hinge { one: first, other, turned_deg } => {
+                    both.iter().for_each(|u| add(&[(first, *u, none), (other, u.map(|x| -x), none)]));
                     if turned_deg.is_some() {
-                        let turn = plant!("energy: turn of a weld", T::of(-1.0));
-                        add(&[(one, [none; 2], T::of(1.0)), (other, [none; 2], turn)]);
+                        let turn = X::still(plant!("energy: turn of a weld", T::of(-1.0)));
+                        add(&[(first, [none; 2], one), (other, [none; 2], turn)]);
                     }
                 }
-                _ => {}
+                JointKind::Guide { at, .. } | JointKind::Contact { at, .. } => {
+                    let line = self.layout.line(j, poses);
+                    let Some(touch) = self.layout.touch(j, self.layout.spot(at, poses), line) else {
+                        continue;
+                    };
+                    let [rolls, teeth] = joint.kind.rolls();
+                    if !teeth {
+                        let rub = match joint.kind.mu_k() {
+                            Some(mu) if virtually && *rubs != 0.0 => {
+                                plant!("energy: friction in a guide", self.n.get(mu)).signed(*rubs)
+                            }
+                            _ => T::zero(),
+                        };
+                        let [x, y] = touch.normal;
+                        let rim = plant!("energy: radius at which a wheel rubs", touch.rim);
+                        add(&[(at, [x - y.by(rub), y + x.by(rub)], X::still(-(rub * rim)))]);
+                    }
+                    if rolls {
+                        // The rim does not slip.
+                        let rim = plant!("energy: radius of a rolling wheel", touch.radius);
+                        add(&[(at, touch.along, X::still(rim))]);
+                    }
+                }
+                JointKind::Cord { at, place_m, beyond, .. } => {
+                    // What comes off the one end of a cord goes to the other.
+                    let other = plant!("energy: other end of a cord", T::of(1.0));
+                    let far = beyond.map(|(to, place)| (to, tight(to, place).map(|x| x.by(other)), none));
+                    let ends: SmallVec<[_; 2]> =
+                        std::iter::once((at, tight(at, place_m), none)).chain(far).collect();
+                    add(&ends);
+                }
             }
-            of_joint.push(own);
         }
+    }
+
+    /// The same as equations for the rates, with the rows of each joint.
+    fn conditions(&self, poses: &Poses<T>, virtually: bool, rights: usize) -> (Equations<T>, OfJoint) {
+        let columns = 3 * self.scene.bodies.len();
+        let mut rows = Equations::with_rights(columns, rights);
+        let mut of_joint: OfJoint = self.scene.joints.iter().map(|_| SmallVec::new()).collect();
+        let mut count = 0;
+        let here: pose::Poses<T> = poses.iter().map(Pose::here).collect();
+        self.forbidden(&here, virtually, &mut |joint, parts| {
+            let row = rows.row();
+            for (at, x) in parts {
+                let turns = at % 3 == 2;
+                row[*at] = row[*at]
+                    + if turns { plant!("energy: turn about the origin of the axis", *x) } else { *x };
+            }
+            of_joint[joint].push(count);
+            count += 1;
+        });
         for (b, body) in self.scene.bodies.iter().enumerate() {
             if !body.turns {
                 rows.row()[3 * b + 2] = T::of(1.0);
             }
         }
-        for (one, other, (body, on, _)) in parallel {
-            let [own, its] = [body, on.unwrap_or(body)].map(|b| 3 * b);
-            rows.alike(one, other, [own, own + 1, its, its + 1]);
+        if T::ENCLOSES {
+            self.parallel_guides(&mut rows, &of_joint);
         }
         (rows, of_joint)
+    }
+
+    /// Tells which guides of one body on one other or on the ground are parallel.
+    fn parallel_guides(&self, rows: &mut Equations<T>, of_joint: &OfJoint) {
+        let mut guides: SmallVec<[(Guided, Vector<T>, usize); 4]> = SmallVec::new();
+        for (joint, own) in self.scene.joints.iter().zip(of_joint) {
+            let (JointKind::Guide { at, line, .. }, [row]) = (joint.kind, &own[..]) else { continue };
+            let (guided, on) = ((at.body, line.on.map(|on| on.body), line.direction_deg), line.on);
+            let u = [0, 1].map(|i| rows.right_of(*row)[3 * at.body + i]);
+            let alike = |(other, v, _): &&(Guided, Vector<T>, usize)| {
+                *other == guided && u[0].same(v[0]) && u[1].same(v[1])
+            };
+            match guides.iter().find(alike) {
+                Some((.., first)) => {
+                    let [own, its] = [at.body, on.map_or(at.body, |on| on.body)].map(|b| 3 * b);
+                    rows.alike(*first, *row, [own, own + 1, its, its + 1]);
+                }
+                None => guides.push((guided, u, *row)),
+            }
+        }
+    }
+
+    /// Adds to a row what it makes of the velocity along a vector of the point of a body that lies so.
+    fn speed_along(&self, poses: &Poses<T>, row: &mut [T], (body, at): (usize, Vector<T>), u: Vector<T>) {
+        let turn = about(poses[body].axis.map(|x| x.value), at, u);
+        row[3 * body..].iter_mut().zip([u[0], u[1], turn]).for_each(|(cell, x)| *cell = *cell + x);
     }
 
     /// Adds that the mass centre of the leading body keeps from drifting, where nothing but that holds it.
     fn no_drift(&self, poses: &Poses<T>, rows: &mut Equations<T>) {
         if let Some(direction) = self.scene.drifts() {
-            let [c, s] = pose::direction(self.n, direction);
-            let axis = poses[self.lead].axis;
-            let row = rows.row();
-            (row[3 * self.lead], row[3 * self.lead + 1]) = (c, s);
-            row[3 * self.lead + 2] = self.centres[self.lead].0 * (s * axis[0].value - c * axis[1].value);
+            let centre = [self.centres[self.lead].0, T::zero()];
+            self.speed_along(poses, rows.row(), (self.lead, centre), pose::direction(self.n, direction));
         }
     }
 
     /// Adds what the leading angle moves, at this rate: the turn of the body, its centre about the axis of a cylinder, or its way
     /// along guides.
     fn leading(&self, poses: &Poses<T>, rows: &mut Equations<T>, rate: T) {
-        let (columns, at) = (3 * self.scene.bodies.len(), 3 * self.lead);
-        let (mut along, mut turn) = ([T::zero(); 2], T::of(1.0));
-        if let Some(unit) = self.layout.glide() {
-            let centre = [self.centres[self.lead].0, T::zero()];
-            (along, turn) = (unit, about(poses, self.lead, centre, unit));
-        }
-        if let Some(arc) = self.layout.arc()
-            && let Some(spot) = self.scene.joints[arc.joint].kind.spots().next()
-        {
-            let place = self.point(poses, spot).map(|x| x.value);
-            along = [arc.axis[1] - place[1], place[0] - arc.axis[0]];
-            turn = about(poses, self.lead, pose::of_spot(self.scene, self.n, spot), along);
-        }
         let row = rows.row();
-        (row[at], row[at + 1], row[at + 2], row[columns]) = (along[0], along[1], turn, rate);
+        row[3 * self.scene.bodies.len()] = rate;
+        let on_arc = self.layout.arc().and_then(|arc| {
+            let spot = self.scene.joints[arc.joint].kind.spots().next()?;
+            let place = self.point(poses, spot).map(|x| x.value);
+            Some((spot, [arc.axis[1] - place[1], place[0] - arc.axis[0]]))
+        });
+        if let Some((spot, along)) = on_arc {
+            self.speed_along(poses, row, (self.lead, pose::of_spot(self.scene, self.n, spot)), along);
+        } else if let Some(unit) = self.layout.glide() {
+            self.speed_along(poses, row, (self.lead, [self.centres[self.lead].0, T::zero()]), unit);
+        } else {
+            row[3 * self.lead + 2] = T::of(1.0);
+        }
     }
     /// The rate of what [`Self::leading`] tells in the motion of unit rate of the leading angle.
     fn unit(&self, poses: &Poses<T>) -> T {
         match self.layout.arc() {
-            Some(arc) => arc.apart.square().signed(self.counts(self.lead)),
+            Some(arc) => arc.apart.square().signed(self.scene.sense(self.lead)),
             None if self.layout.glide().is_some() => T::of(1.0),
             None => poses[self.lead].turn().0,
         }
@@ -938,7 +864,7 @@ impl<'a, T: Real> Account<'a, T> {
                 self.say(road, Quantity::Rise, Owner::Body(b), risen);
             }
         }
-        if let Some(moment) = self.couple().filter(|_| self.pinned) {
+        if let Some(moment) = scene.couple_on(self.n, self.lead).filter(|_| self.pinned) {
             self.say(road, Quantity::WorkCouple, Owner::Body(self.lead), moment * way.signed(self.sense));
         }
         let rate = rate.signed(self.sense);
@@ -960,7 +886,7 @@ impl<'a, T: Real> Account<'a, T> {
         }
         let weights = self.n.bodies.iter().fold(0.0, |sum, b| sum + (b.mass * self.n.gravity).size());
         for joint in joints {
-            if self.normal(begin, square, joint)?.is_some_and(|force| force.below(T::of(LEAST * weights))) {
+            if self.normal(begin, square, joint)?.is_some_and(|force| !T::of(LEAST * weights).below(force)) {
                 return Ok(false);
             }
         }
@@ -1052,7 +978,7 @@ impl<'a, T: Real> Account<'a, T> {
     /// An instant of bodies of which the leading one turns as it is driven: the couple is what the balance lacks.
     fn driven(&mut self, spin: T, alpha: T, road: &mut Road<T>) -> Result<(), Refusal> {
         let poses = self.poses(T::zero())?;
-        let sense = self.counts(self.lead);
+        let sense = self.scene.sense(self.lead);
         let (unit, bend) = poses[self.lead].turn();
         let second = (alpha.signed(sense) - bend * spin.square()) / unit;
         let rate = if spin.is_zero() { second } else { spin };
@@ -1116,7 +1042,7 @@ impl<'a, T: Real> Account<'a, T> {
             let row = rows.row();
             row[columns] = self.n.get(number);
             if of.degree == Degree::Turn {
-                row[3 * of.body + 2] = T::of(self.counts(of.body));
+                row[3 * of.body + 2] = T::of(self.scene.sense(of.body));
                 continue;
             }
             // The way of its point along the line, seen from what carries that.
@@ -1125,9 +1051,7 @@ impl<'a, T: Real> Account<'a, T> {
             let (u, place) = (self.layout.told_along(joint, &here), self.point(poses, at).map(|x| x.value));
             let on = self.scene.joints[joint].kind.carrier().map(|on| (on.body, u.map(|x| -x)));
             for (body, u) in std::iter::once((at.body, u)).chain(on) {
-                row[3 * body] = row[3 * body] + u[0];
-                row[3 * body + 1] = row[3 * body + 1] + u[1];
-                row[3 * body + 2] = row[3 * body + 2] + about(poses, body, here[body].within(place), u);
+                self.speed_along(poses, row, (body, here[body].within(place)), u);
             }
         }
         let reduced = self.settled(|| rows.reduce(&[]));
@@ -1150,52 +1074,13 @@ impl<'a, T: Real> Account<'a, T> {
             }
         };
         let onward: Poses<T> = poses.iter().zip(motion).map(onward).collect();
-        let length = |[x, y]: [Jet<T>; 2]| (x * x + y * y).square_root();
-        let from = |at: Spot, [x, y]: [Jet<T>; 2]| {
-            let [px, py] = self.point(&onward, at);
-            [px - x, py - y]
-        };
-        let (mut rows, of_joint) = self.conditions(poses, false, 1);
-        let columns = 3 * self.scene.bodies.len();
-        for (j, (joint, own)) in self.scene.joints.iter().zip(&of_joint).enumerate() {
-            let apart: SmallVec<[T; 2]> = match joint.kind {
-                JointKind::Pin { at, .. } => self.point(&onward, at).map(|x| x.second).into_iter().collect(),
-                JointKind::Hinge { one, other, .. } => {
-                    let off = from(one, self.point(&onward, other));
-                    off.map(|x| x.second).into_iter().chain([T::zero()]).take(own.len()).collect()
-                }
-                JointKind::Cord { at, place_m, beyond, .. } => {
-                    let ends = std::iter::once((at, place_m)).chain(beyond);
-                    let all = ends.map(|(at, place)| {
-                        length(from(at, pose::ground(self.n, place).map(Jet::fixed))).second
-                    });
-                    smallvec![-all.fold(T::zero(), |sum, x| sum + x)]
-                }
-                JointKind::Guide { at, .. } | JointKind::Contact { at, .. } => {
-                    let place = self.point(poses, at).map(|x| x.value);
-                    let Some(touch) = self.layout.touch(j, place, self.line(poses, j)) else { continue };
-                    let [rolls, teeth] = joint.kind.rolls();
-                    let [x, y] = self.layout.line(j, &onward);
-                    let both = match joint.kind.surface() {
-                        Some((_, _, Surface::Arc { centre_m, inside, .. })) => {
-                            let out = from(at, pose::ground(self.n, centre_m).map(Jet::fixed));
-                            let along = dot(touch.along, out.map(|x| x.second));
-                            [length(out).second.signed(if inside { -1.0 } else { 1.0 }), along]
-                        }
-                        _ => {
-                            let on = joint.kind.carrier().map(|on| self.point(&onward, on));
-                            let [px, py] = from(at, on.unwrap_or([Jet::fixed(T::zero()); 2]));
-                            let up = dot(touch.along, [x.value, y.value]).sign();
-                            [(x * py - y * px).second, (x * px + y * py).second.signed(up)]
-                        }
-                    };
-                    both[usize::from(teeth)..1 + usize::from(rolls)].iter().copied().collect()
-                }
-            };
-            for (row, apart) in own.iter().zip(apart) {
-                rows.right_of(*row)[columns] = plant!("energy: what keeps joints together", -apart);
-            }
-        }
+        let (mut rows, _) = self.conditions(poses, false, 1);
+        let (columns, mut row) = (3 * self.scene.bodies.len(), 0);
+        self.forbidden(&onward, false, &mut |_, parts| {
+            let apart = parts.iter().fold(T::zero(), |sum, (at, x)| sum + x.first * motion[at / 3][at % 3]);
+            rows.right_of(row)[columns] = -plant!("energy: what keeps joints together", apart);
+            row += 1;
+        });
         self.motion(&self.settled(|| rows.reduce(&[])))
     }
 

@@ -261,11 +261,9 @@ struct Ended<T> {
     s: T,
     there: Summed<T>,
     sense: f64,
-    /// Speed at the start.
     u0: T,
     /// Twice the energy at unit rate.
     doubled: T,
-    /// Work of all forces.
     work: T,
 }
 
@@ -505,7 +503,6 @@ impl<'a, T: Real> Ledger<'a, T> {
         if self.counts_turn() { sense * mode.v[self.end.body].sign() } else { sense }
     }
 
-    /// Nothing sets off.
     fn rest(&mut self, drive: (T, T), pulls: Pulls<T>) {
         self.road.course = Some(Course { drive, ..Course::at_rest() });
         self.standing(&pulls);
@@ -540,7 +537,6 @@ impl<'a, T: Real> Ledger<'a, T> {
         self.say(Quantity::DTurn, body, farthest);
     }
 
-    /// A motion in phases.
     fn through_phases(mut self) -> Road<T> {
         let Some(phases) = &self.phases else { return self.road };
         let reached = phases.ended && !self.scene.goes_wrong(phases.sense);
@@ -941,7 +937,6 @@ impl<'a, T: Real> Ledger<'a, T> {
         }
     }
 
-    /// Everything at the end.
     fn arrived(&mut self, end: &Ended<T>, pulls: &[T]) {
         // At rest by the definition of the event, not by what rounding leaves.
         let rest = matches!(self.scene.end, End::TurningPoint(_)) && self.phases.is_none();
@@ -1019,10 +1014,9 @@ impl<'a, T: Real> Ledger<'a, T> {
         // Each couple gives power to the turn that it acts along, and takes it from the other.
         let couples = self.scene.couples.iter().enumerate().filter(|(_, c)| c.body == b);
         let parts = couples.map(|(i, c)| {
-            let along = if c.forward { 1.0 } else { -1.0 };
             let growth = balance::grown(self.scene, &self.n, GivenForce::Couple(i));
             let (work, last) = self.work(self.n.massive(c.moment_n_m), growth, gone, sense);
-            (work.signed(along), (last * gone.speed).signed(along))
+            (c.signed(work), c.signed(last * gone.speed))
         });
         let sum = |one: (T, T), other: (T, T)| (one.0.balance(other.0), one.1.balance(other.1));
         if let Some((work, power)) = parts.reduce(sum) {

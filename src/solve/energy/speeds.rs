@@ -40,23 +40,33 @@ impl<T: Real> Mode<T> {
             Degree::Turn => self.w[c.body],
         }
     }
-    /// Velocity, along the cord and away from the body, of the point at which a cord leaves: that of the centre and that
-    /// of the rim against the centre.
+    /// Velocity of the point at which a cord leaves its body, along the cord and away from the body.
     pub fn point(&self, n: &Numbers<T>, end: &CordEnd) -> T {
-        let about_centre = match end.attach {
-            Attach::Centre => T::zero(),
-            Attach::Wound(p, side) => {
-                let rim = plant!("energy: unwinding of a cord", n.get(p) * self.w[end.body]);
-                if side == Side::Bottom { -rim } else { rim }
-            }
-        };
-        let centre = plant!("energy: travel of the centre with a cord", self.v[end.body]);
-        let centre = end.tilt_deg.map_or(centre, |tilt| {
-            plant!("energy: travel along a pull at an angle", centre * pose::direction(n, tilt)[0])
-        });
-        let velocity = centre.balance(about_centre);
-        if end.forward { velocity } else { -velocity }
+        of_end(n, end, self.v[end.body], self.w[end.body])
     }
+}
+
+/// The same where the centre of that body has this velocity and the body this spin: that of the centre and that of the rim against it.
+pub fn of_end<T: Real>(n: &Numbers<T>, end: &CordEnd, v: T, w: T) -> T {
+    let about_centre = match end.attach {
+        Attach::Centre => T::zero(),
+        Attach::Wound(p, side) => {
+            let rim = plant!("energy: unwinding of a cord", n.get(p) * w);
+            if side == Side::Bottom { -rim } else { rim }
+        }
+    };
+    let centre = plant!("energy: travel of the centre with a cord", v);
+    let centre = end.tilt_deg.map_or(centre, |tilt| {
+        plant!("energy: travel along a pull at an angle", centre * pose::direction(n, tilt)[0])
+    });
+    let velocity = centre.balance(about_centre);
+    if end.forward { velocity } else { -velocity }
+}
+
+/// A unit velocity of the centre of a body, or a unit spin.
+pub fn unit<T: Real>(degree: Degree) -> [T; 2] {
+    let (one, none) = (T::of(1.0), T::zero());
+    if degree == Degree::Along { [one, none] } else { [none, one] }
 }
 
 /// Place of a coordinate among the unknowns.
@@ -82,13 +92,8 @@ fn conditions<T: Real>(scene: &Scene, n: &Numbers<T>, holds: &[bool]) -> Equatio
     // Velocity of a cord's end as a linear form: its values on the unit motions of the body.
     let add_point = |row: &mut [T], end: &CordEnd| {
         for degree in [Degree::Along, Degree::Turn] {
-            let mut unit = Mode::still(bodies);
-            let c = Coordinate { body: end.body, degree };
-            match degree {
-                Degree::Along => unit.v[end.body] = T::of(1.0),
-                Degree::Turn => unit.w[end.body] = T::of(1.0),
-            }
-            row[column(c)] = row[column(c)] + unit.point(n, end);
+            let (at, [v, w]) = (column(Coordinate { body: end.body, degree }), unit(degree));
+            row[at] = row[at] + of_end(n, end, v, w);
         }
     };
     for (t, tie) in scene.ties.iter().enumerate() {

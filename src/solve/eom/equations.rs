@@ -20,7 +20,7 @@ use crate::scene::pose;
 use crate::scene::{
     Action, Coordinate, Degree, Far, GivenForce, Grows, Growth, Num, Numbers, Rubbing, Scene, Tie,
 };
-use crate::solve::eom::under;
+use crate::solve::eom::{take_up, under};
 use crate::solve::outcome::{Refusal, Unsupported};
 use smallvec::{SmallVec, smallvec};
 
@@ -168,11 +168,8 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
             (Some(response), Grows::Place) => {
                 let moved = |c: Coordinate| response.acceleration(c, response.last());
                 let coordinate = |body: usize, degree: Degree| Coordinate { body, degree };
-                let along = |action: Action| {
-                    let (toward, arm) = lever(n, &action);
-                    let centre = moved(coordinate(action.body, Degree::Along)).signed(toward);
-                    centre.balance(arm * moved(coordinate(action.body, Degree::Turn)))
-                };
+                let along =
+                    |action: Action| take_up(n, &action, |degree| moved(coordinate(action.body, degree)));
                 let own = match growth.of {
                     GivenForce::Pull(t) => scene.ties[t].actions().next().map_or_else(T::zero, along),
                     GivenForce::Couple(i) => moved(coordinate(scene.couples[i].body, Degree::Turn)),
@@ -318,7 +315,7 @@ fn assembled<T: Real>(
         all.rows.right(row, all.layout.columns - 1, T::of(1.0));
     }
     let Assembly { layout, rows, normal, grown, .. } = all;
-    let solution = rows.solve().map_err(|s| Refusal::Singular { unknowns: s.unknowns, rank: s.rank })?;
+    let solution = rows.solve()?;
     // Ties may share a reaction in any way; where an acceleration is open, the motion is.
     let mut accelerations = layout.along.iter().chain(&layout.turn).flatten();
     if accelerations.any(|i| solution.is_open(*i)) {
@@ -369,9 +366,9 @@ impl<T: Real> Assembly<'_, '_, T> {
         for (i, c) in self.scene.couples.iter().enumerate() {
             let Some(row) = self.layout.turn[c.body] else { continue };
             let moment = plant!("eom: moment of a couple", self.n.massive(c.moment_n_m));
-            self.rows.right(row, CONSTANT, if c.forward { moment } else { -moment });
+            self.rows.right(row, CONSTANT, c.signed(moment));
             if let Some(grown) = self.grown(GivenForce::Couple(i)) {
-                self.rows.right(row, VARYING, if c.forward { grown } else { -grown });
+                self.rows.right(row, VARYING, c.signed(grown));
             }
         }
     }

@@ -5,7 +5,7 @@ use crate::num::Real;
 use crate::num::plant::plant;
 use crate::scene::{Coordinate, Degree, Label, Numbers, Owner, Quantity, Scene, Start, speed};
 use crate::solve::eom::equations::{Setting, respond};
-use crate::solve::eom::{couple_on, take_up};
+use crate::solve::eom::take_up;
 use crate::solve::outcome;
 use crate::solve::outcome::{Refusal, Road, Said, Scope};
 use smallvec::{SmallVec, smallvec};
@@ -78,12 +78,13 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
         own.map_or_else(T::zero, |(_, v)| *v)
     };
     for (tie, cord, force) in scene.pulls() {
-        let speed = take_up(n, &cord.from, |degree| velocity(Coordinate { body: cord.from.body, degree }));
+        let speed =
+            take_up(n, &cord.from.action(), |degree| velocity(Coordinate { body: cord.from.body, degree }));
         let power = n.massive(force) * speed;
         say(Quantity::PowerPull, Owner::Tie(tie), power, power.size());
     }
     for (body, _) in scene.bodies.iter().enumerate() {
-        if let Some(moment) = couple_on(scene, n, body) {
+        if let Some(moment) = scene.couple_on(n, body) {
             let power = moment * velocity(Coordinate { body, degree: Degree::Turn });
             say(Quantity::PowerCouple, Owner::Body(body), power, power.size());
         }

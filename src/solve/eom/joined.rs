@@ -13,7 +13,7 @@ use crate::num::gauss::{self, PerNode, Rule, Unsettled};
 use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, root, trig};
-use crate::scene::{End, Numbers, Owner, Quantity, Scene};
+use crate::scene::{End, Numbers, Owner, Quantity, Scene, pose};
 use crate::solve::eom::integrate::{Event, Route, pace};
 use crate::solve::eom::pendulum::Pendulum;
 use crate::solve::eom::planar::{Mechanism, Rates, Response, State};
@@ -72,7 +72,6 @@ struct Motion<'m, 'a, T: Real> {
     meets: SmallVec<[(usize, T); 4]>,
     /// What has a closed form.
     pendulum: Option<Pendulum<T>>,
-    /// How fine its panels are.
     fine: Fine,
     /// Is the time asked for, or where it is at a time?
     timed: bool,
@@ -167,7 +166,6 @@ struct Stop<T> {
     way: T,
     /// Half the square of the rate.
     half_square: T,
-    /// What stops it.
     why: Why,
     /// The time until then, where the panels give it.
     time: Option<T>,
@@ -228,7 +226,7 @@ pub fn road_by<T: Real>(
             Teller { scene, n, mechanism: &mechanism, asked, by, pinned, count, road, goes_on: false };
         follow(&mut teller)?;
         let Teller { count, road, goes_on, .. } = teller;
-        if !goes_on || !mechanism.looks_farther() {
+        if !goes_on || !mechanism.layout.looks_farther() {
             return Ok((road, count));
         }
     }
@@ -241,7 +239,7 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
     if teller.pinned.is_some() {
         teller.tell_lasting(spin)?;
     }
-    let nothing: SmallVec<[f64; 4]> = scene.joints.iter().map(|_| 0.0).collect();
+    let nothing = no_friction(scene);
     if matches!(scene.end, End::AtOnce) {
         return instant::at_once(teller, spin, &nothing);
     }
@@ -252,12 +250,12 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
     if scene.is_struck() {
         let jumps = mechanism.struck(&state)?;
         // What strikes straight at a joint moves nothing.
-        let most = teller.blows() * mechanism.size() / mechanism.inertia(&state).size();
-        spin = spin.balance(mechanism.leading(&jumps).0.cleared(most));
+        let most = pose::blows(scene, teller.n) * mechanism.size() / mechanism.inertia(&state).size();
+        spin = spin.balance(jumps.lead.0.cleared(most));
         teller.tell_blow(&state, &jumps);
     }
     let free = mechanism.respond(&state, &nothing)?;
-    let (a, b) = mechanism.leading(&free);
+    let (a, b) = free.lead;
     // In a balance rounding is left of the drive.
     let turning = match teller.pinned {
         Some(_) => teller.terms(&state),
@@ -265,26 +263,22 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
     };
     let first = a.balance(b * spin.square()).cleared(turning);
     let sense = if spin.is_zero() { first.sign() } else { spin.sign() };
-    let slides = sliding(mechanism, &state, (mechanism.moving(&state), sense));
+    let slides = sliding(mechanism, &state, (&state.rates, sense));
     let rubs = rubbing(mechanism, &slides, spin.square(), &|rubs| mechanism.respond(&state, rubs))?;
     let rubbed = slides.iter().any(|s| *s != 0.0);
     let factor = if rubbed { T::of(1.0) } else { mechanism.inertia(&state) };
+    let from = Gain { half_square: spin.square().scale2(-1), factor };
     let motion = Motion {
-        mechanism,
-        start: T::zero(),
-        sense,
-        from: Gain { half_square: spin.square().scale2(-1), factor },
-        near: T::zero(),
         slides,
         rubs,
-        meets: mechanism.meets(sense, (mechanism.horizon(), look())),
+        meets: meets(mechanism, sense, mechanism.layout.horizon()),
         pendulum: teller.pendulum(&state, sense, spin),
-        fine: Fine::of::<T>(scene, false),
         steady: scene.spins_in_place(),
         timed: teller.asked.quantities.has(Quantity::T) || matches!(scene.end, End::Time(..)),
+        ..Motion::new(mechanism, T::zero(), sense, from)
     };
     // Friction may hold what would set off without it.
-    let (a, b) = if rubbed { mechanism.leading(&mechanism.respond(&state, &motion.rubs)?) } else { (a, b) };
+    let (a, b) = if rubbed { mechanism.respond(&state, &motion.rubs)?.lead } else { (a, b) };
     let sets_off = a.balance(b * spin.square()).cleared(turning).signed(sense);
     if sense == 0.0 || spin.is_zero() && sets_off.sign() <= 0.0 {
         teller.road.course = Some(Course::at_rest());
@@ -296,6 +290,17 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
 /// Step in which places on the way are looked for, radians.
 fn look<T: Real>() -> T {
     T::of(STRIDE / 16.0)
+}
+
+/// For each joint that nothing rubs there.
+fn no_friction(scene: &Scene) -> SmallVec<[f64; 4]> {
+    scene.joints.iter().map(|_| 0.0).collect()
+}
+
+/// Where springs that only push or pull are met or let go of on a way from the start: which, and the leading angle.
+fn meets<T: Real>(mechanism: &Mechanism<T>, sense: f64, far: T) -> SmallVec<[(usize, T); 4]> {
+    let met = mechanism.layout.meets(false, sense, (far, look()));
+    met.into_iter().map(|(s, way)| (s, way.signed(sense))).collect()
 }
 
 /// The senses in which points slide in guides that rub, and wheels at surfaces, by the velocities (or accelerations from rest) of mass
@@ -325,10 +330,27 @@ fn rubbing<T: Real>(
 }
 
 impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
+    /// From this place in this sense, where nothing rubs and no spring is met, and which is not known in closed form.
+    fn new(mechanism: &'m Mechanism<'a, T>, start: T, sense: f64, from: Gain<T>) -> Self {
+        let scene = mechanism.scene;
+        Self {
+            mechanism,
+            start,
+            sense,
+            from,
+            near: T::zero(),
+            slides: no_friction(scene),
+            rubs: no_friction(scene),
+            meets: SmallVec::new(),
+            pendulum: None,
+            fine: Fine::of::<T>(scene, false),
+            timed: false,
+            steady: false,
+        }
+    }
     fn angle(&self, way: T) -> T {
         self.start + way.signed(self.sense)
     }
-    /// Sum of all weights.
     fn weights(&self) -> f64 {
         let n = self.mechanism.n;
         n.bodies.iter().fold(0.0, |sum, b| sum + (b.mass * n.gravity).size())
@@ -391,7 +413,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     }
     /// The first joint that rubs at which nothing slides as at the start.
     fn turned_back(&self, state: &State<T>) -> Option<usize> {
-        let now = sliding(self.mechanism, state, (self.mechanism.moving(state), self.sense));
+        let now = sliding(self.mechanism, state, (&state.rates, self.sense));
         now.iter().zip(&self.slides).position(|(now, before)| now - before != 0.0)
     }
     /// Does this normal force press to the side to which it pressed at the start?
@@ -428,7 +450,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                     }
                 }
                 if self.is_rubbed() {
-                    let (a, b) = mechanism.leading(&response);
+                    let (a, b) = response.lead;
                     let b = plant!("eom: centripetal share over the angle", b.signed(self.sense));
                     growths.push(b.scale2(1) * slope);
                     drive = a;
@@ -505,7 +527,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 width = width * T::of(fit.clamp(0.5, 2.0));
             } else {
                 if left.is_none() || width.size() <= least {
-                    if let Some(folds) = self.mechanism.in_line(self.angle(self.way(next).0)) {
+                    if let Some(folds) = self.mechanism.layout.in_line(self.angle(self.way(next).0)) {
                         return Err(Refusal::Beyond(folds));
                     }
                     let value = panel.last.half_square.f64();
@@ -755,7 +777,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             mechanism.respond(&state, &self.rubs).ok()
         };
         let law = |_: usize, way: f64, u: f64| {
-            let leading = respond(way).map(|response| mechanism.leading(&response));
+            let leading = respond(way).map(|response| response.lead);
             leading.map_or(f64::NAN, |(a, b)| self.sense * (a + b * u * u))
         };
         let presses = |way: f64, u: f64| match scene.end {
@@ -831,11 +853,11 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
 
     /// How far it is looked for an end: what spins in one place twice as far as it takes to come to rest.
     fn horizon(&self) -> Result<T, Refusal> {
-        let usual = self.mechanism.horizon();
+        let usual = self.mechanism.layout.horizon();
         if !self.steady {
             return Ok(usual);
         }
-        let (a, _) = self.mechanism.leading(&self.at(T::zero())?.1);
+        let (a, _) = self.at(T::zero())?.1.lead;
         let slows = a.signed(-self.sense);
         Ok(if slows.sign() > 0.0 { (self.from.half_square / slows).scale2(1) } else { usual })
     }
@@ -844,14 +866,14 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     /// the rate that ends the motion.
     fn wanted(&self) -> Result<Wanted<T>, Refusal> {
         let (scene, n) = (self.mechanism.scene, self.mechanism.n);
-        if let Some(apart) = self.mechanism.to_end_deg() {
+        if let Some(apart) = self.mechanism.layout.to_end_deg() {
             let apart = apart.signed(self.sense);
             return Ok(((Some(apart), T::zero()), apart / trig::degrees_per_radian(), None));
         }
         let far = self.horizon()?;
         Ok(match scene.end {
             End::Speed(_, w) => {
-                let w = n.get(w) / self.mechanism.ratio();
+                let w = n.get(w) / self.mechanism.layout.ratio();
                 let begins = self.from.half_square.scale2(1).root();
                 ((Some(w.abs()), begins), far, Some(w.square().scale2(-1)))
             }
@@ -865,7 +887,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let (joints, least) = (&self.mechanism.scene.joints, T::of(PUSHES * self.weights()));
         (0..joints.len()).filter(|j| joints[*j].kind.is_one_sided()).find(|joint| {
             let force = self.pushed(begin, *joint, self.from.half_square);
-            force.is_some_and(|force| force.below(least))
+            force.is_some_and(|force| !least.below(force))
         })
     }
 
@@ -904,7 +926,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     fn to_its_end(&self, teller: &mut Teller<'_, '_, T>) -> Result<(), Refusal> {
         let (scene, n) = (self.mechanism.scene, self.mechanism.n);
         let ((asked, begins), mut far, level) = self.wanted()?;
-        let limit = self.mechanism.overruns(self.sense, (far + look(), look()));
+        let limit = self.mechanism.layout.overruns(self.sense, (far + look(), look()));
         let limit = limit.filter(|(limit, _)| limit.at_most(far));
         far = limit.map_or(far, |(limit, _)| limit * T::of(SHORT));
         let (first, begin) = self.at(T::zero())?;
@@ -1037,7 +1059,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             };
             teller.say(Quantity::T, Owner::Scene, time);
         }
-        teller.say(Quantity::Phi, Owner::Body(self.mechanism.lead), self.mechanism.turned(stop.way));
+        teller.say(Quantity::Phi, Owner::Body(self.mechanism.lead), self.mechanism.layout.turned(stop.way));
         if let Some(lead) = scene.ends_at_an_angle() {
             let start = scene.planar(lead).and_then(|planar| planar.start_deg);
             let start =
@@ -1070,7 +1092,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             }
         }
         let speed = stop.half_square.scale2(1).root().signed(self.sense);
-        let lead = self.mechanism.leading(&response);
+        let lead = response.lead;
         teller.tell(&state, &response, (speed, lead), &self.rubs)
     }
 }

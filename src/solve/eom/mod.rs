@@ -173,13 +173,6 @@ pub fn road_by<T: Real>(
     Ok((found::answering(road.telling(scene), scene, data, of_kind)?, count))
 }
 
-/// Moment of the couples on a body, positive with rolling forward; `None` without any.
-pub(super) fn couple_on<T: Real>(scene: &Scene, n: &Numbers<T>, body: usize) -> Option<T> {
-    let moments = scene.couples.iter().filter(|c| c.body == body);
-    let moments = moments.map(|c| n.massive(c.moment_n_m).signed(if c.forward { 1.0 } else { -1.0 }));
-    moments.reduce(T::balance)
-}
-
 /// A rung, and which quantities are wanted of it.
 pub type Steps<'s> = (Rung, &'s dyn Fn(Quantity) -> bool);
 
@@ -224,8 +217,8 @@ fn under<T: Real>(pulls: &[T], of: impl Fn(usize) -> T) -> T {
 }
 
 /// Travel of a cord's end along the cord, where coordinates travel so far.
-fn take_up<T: Real>(n: &Numbers<T>, end: &CordEnd, travel: impl Fn(Degree) -> T) -> T {
-    let Action { along, arm, tilt_deg, .. } = end.action();
+fn take_up<T: Real>(n: &Numbers<T>, end: &Action, travel: impl Fn(Degree) -> T) -> T {
+    let Action { along, arm, tilt_deg, .. } = *end;
     let centre = travel(Degree::Along).signed(along);
     let centre = tilt_deg.map_or(centre, |tilt| centre * pose::direction(n, tilt)[0]);
     let Some((radius, sense)) = arm else { return centre };
@@ -243,7 +236,9 @@ fn equilibrium<T: Real>(scene: &Scene, n: &Numbers<T>, springs: &mut [Spring<T>]
     });
     let Some((c, column)) = moved else { return };
     let lost = |s: &Spring<T>| {
-        take_up(n, &s.end, |degree| response.acceleration(Coordinate { body: s.end.body, degree }, column))
+        take_up(n, &s.end.action(), |degree| {
+            response.acceleration(Coordinate { body: s.end.body, degree }, column)
+        })
     };
     let lost: Pulls<T> = springs.iter().map(lost).collect();
     let coast = response.acceleration(c, CONSTANT);
@@ -357,7 +352,6 @@ struct Walk<'a, T: Real> {
     road: Road<T>,
 }
 
-/// The springs of a scene.
 fn springs<T: Real>(scene: &Scene, n: &Numbers<T>) -> SmallVec<[Spring<T>; 1]> {
     let numbers = scene.springs().map(|s| {
         let (stiffness, stretch) = (n.massive(s.stiffness_n_m), n.get(s.stretch_m));
@@ -574,7 +568,7 @@ impl<'a, T: Real> Walk<'a, T> {
     }
     /// Travel of a cord's end along the cord per unit travel of the ending coordinate.
     fn take_up(&self, end: &CordEnd) -> T {
-        take_up(&self.n, end, |degree| self.ratio_of(Coordinate { body: end.body, degree }))
+        take_up(&self.n, &end.action(), |degree| self.ratio_of(Coordinate { body: end.body, degree }))
     }
     /// [`Walk::ratio`]; 0 of a coordinate that the body does not have.
     fn ratio_of(&self, c: Coordinate) -> T {
@@ -696,7 +690,6 @@ impl<'a, T: Real> Walk<'a, T> {
         self.centre().map_or(sense, |line| sense * self.ratio(line).sign())
     }
 
-    /// Nothing sets off.
     fn rest(&mut self, pulls: Pulls<T>) {
         self.road.course = Some(Course::at_rest());
         self.standing(&pulls);
@@ -745,7 +738,6 @@ impl<'a, T: Real> Walk<'a, T> {
         self.say(Quantity::DTurn, body, farthest.unwrap_or_else(|| T::of(f64::INFINITY)));
     }
 
-    /// A motion in phases.
     fn through_phases(mut self) -> Result<(Road<T>, Count), Refusal> {
         let mut count = Count::default();
         let Some(mut phases) = self.phases.take() else { return Ok((self.road, count)) };
@@ -1358,7 +1350,6 @@ impl<'a, T: Real> Walk<'a, T> {
         }
     }
 
-    /// Everything at the ending event.
     fn arrived(&mut self, end: &Ended<T>, pulls: &[T]) {
         if !self.scene.grows_with_place() {
             self.say(Quantity::T, Owner::Scene, end.state.time);
@@ -1433,7 +1424,6 @@ impl<'a, T: Real> Walk<'a, T> {
         sums.work = sums.work.balance(n.mass * gone.work);
     }
 
-    /// The turn of a body.
     fn turn_at_end(&mut self, c: Coordinate, end: &Ended<T>, pulls: &[T], sums: &mut Sums<T>) {
         let (n, of) = (self.n.bodies[c.body], Owner::Body(c.body));
         let gone = self.gone(end, &|of| of(c));
@@ -1450,12 +1440,10 @@ impl<'a, T: Real> Walk<'a, T> {
             let alpha = plant!("eom: couple on what is carried", self.acceleration(c, pulls));
             sums.carried = sums.carried.balance(n.inertia * alpha * gone.moved);
         }
-        let Some(moment) = couple_on(self.scene, &self.n, c.body) else { return };
+        let Some(moment) = self.scene.couple_on(&self.n, c.body) else { return };
         // Of all couples on it, whose moment at the start is given.
         let acting = self.scene.couples.iter().enumerate().filter(|(_, k)| k.body == c.body);
-        let growth = acting.filter_map(|(i, k)| {
-            Some(self.response.grown(GivenForce::Couple(i))?.signed(if k.forward { 1.0 } else { -1.0 }))
-        });
+        let growth = acting.filter_map(|(i, k)| Some(k.signed(self.response.grown(GivenForce::Couple(i))?)));
         let growth = growth.reduce(T::balance);
         self.say(Quantity::WorkCouple, of, self.work(moment, growth, &gone, end.sense));
         let last = growth.map_or(moment, |growth| moment + growth);
@@ -1491,7 +1479,7 @@ impl<'a, T: Real> Walk<'a, T> {
             return None;
         }
         let gone = self.gone(end, &|of| {
-            take_up(&self.n, &cord.from, |degree| of(Coordinate { body: cord.from.body, degree }))
+            take_up(&self.n, &cord.from.action(), |degree| of(Coordinate { body: cord.from.body, degree }))
         });
         if cord.from.tilt_deg.is_none() {
             self.say(Quantity::CordTravel, of, gone.path);

@@ -353,7 +353,6 @@ impl<'a, T: Real> Phases<'a, T> {
         self.at_contact(tie, &rates).map_or(0.0, |[a, turned]| a.balance(-turned).sign())
     }
 
-    /// All accelerations.
     fn rates(&self, response: &Response<T>, pulls: &[T]) -> Each<T> {
         self.coordinates.iter().map(|c| under(pulls, |k| response.acceleration(*c, k))).collect()
     }
@@ -557,7 +556,6 @@ enum Stop {
 }
 
 impl<T: Real> Phase<T> {
-    /// The velocities after a time.
     fn after(&self, time: T) -> Each<T> {
         self.speeds.iter().zip(&self.rates).map(|(v, a)| v.settled(*a * time)).collect()
     }

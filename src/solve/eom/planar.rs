@@ -19,19 +19,17 @@ use crate::num::half::Half;
 use crate::num::linear::{Factors, Linear};
 use crate::num::plant::plant;
 use crate::num::{root, shares};
-use crate::scene::pose::{self, Layout, Obstacle};
-use crate::scene::{Acts, Degree, JointKind, Numbers, Rest, Scene, Spot, Strut, StrutEnd, Surface};
+use crate::scene::pose::{self, Layout, Obstacle, dot};
+use crate::scene::{Acts, Degree, JointKind, Num, Numbers, Rest, Scene, Spot, StrutEnd, Surface};
 use crate::solve::outcome::{self, Refusal};
 use smallvec::{SmallVec, smallvec};
 use std::cell::RefCell;
 
-/// A load of which no more than this share is lacking is carried.
-const SHARED: f64 = 1e-9;
-
 /// A point that is farther below a surface than this share of the size of everything has passed through it.
 const PIERCED: f64 = 1e-9;
 
-/// A speed that is told may be off by this share from what the joints make of the others: printed data round it.
+/// A speed that is told may be off by this share from what the joints make of the others: by the rounding of the doubles that they are
+/// printed as, not by that of a few figures.
 const LOOSE: f64 = 1e-12;
 
 /// Right-hand side of the forces.
@@ -39,7 +37,6 @@ pub const CONSTANT: usize = 0;
 /// Right-hand side of the centripetal terms, per square of the rate of the leading angle.
 pub const SQUARE: usize = 1;
 
-/// A vector of the plane.
 type Vector<T> = [T; 2];
 /// One for each named point of a body.
 type Levers<T> = SmallVec<[Vector<T>; 4]>;
@@ -59,20 +56,16 @@ pub struct Mechanism<'a, T: Real> {
     held: SmallVec<[usize; 4]>,
     /// How many velocities there are.
     columns: usize,
-    layout: Layout<'a, T>,
+    /// How the bodies are placed.
+    pub layout: Layout<'a, T>,
     /// Where nothing pushes it along its guide: the direction of that.
     drift: Option<Vector<T>>,
     /// For each body: how far its mass centre is along its axis, and its points from there, along the axis and to its left.
     levers: SmallVec<[(T, Levers<T>); 3]>,
-    /// Natural length of each spring; 0 of a torsion spring.
-    natural: SmallVec<[T; 2]>,
-    /// Of each torsion spring the direction of the axis of its body at which it is relaxed.
-    relaxed: SmallVec<[Vector<T>; 2]>,
     /// Room for the equations of the bodies, which are made anew at each place.
     factors: RefCell<Factors<T>>,
 }
 
-/// Where all bodies are.
 type Poses<T> = pose::Poses<T>;
 /// Velocity or acceleration of each mass centre, and of each turn, counter-clockwise; or force and moment.
 pub type Rates<T> = SmallVec<[[T; 3]; 3]>;
@@ -82,7 +75,8 @@ pub type Rates<T> = SmallVec<[[T; 3]; 3]>;
 pub struct State<T> {
     /// How the bodies lie.
     pub poses: Poses<T>,
-    rates: Rates<T>,
+    /// Their velocities for that.
+    pub rates: Rates<T>,
     /// What the joints hold, and that nothing drifts where only that holds it.
     rows: Vec<Row<T>>,
     /// What moves with the leading angle at its unit rate, and how fast.
@@ -99,10 +93,13 @@ pub struct Response<T> {
     /// For each row: constant part of its force, and per square of the rate; `None` where the joints leave it open.
     forces: SmallVec<[Option<(T, T)>; 8]>,
     /// The leading angle's second derivative likewise.
-    lead: (T, T),
-    /// Accelerations: constant part, and per square of the rate.
-    moves: [Rates<T>; 2],
+    pub lead: (T, T),
+    /// Accelerations: constant part, which is that from rest, and per square of the rate.
+    pub moves: [Rates<T>; 2],
 }
+
+/// The response of what is driven, and the couple of the drive likewise.
+pub type Driven<T> = (Response<T>, Option<(T, T)>);
 
 /// What a joint holds: a row of the constraint, which is also the direction of its force.
 #[derive(Debug, Clone, Copy)]
@@ -136,6 +133,14 @@ struct End<T> {
 }
 
 impl<T: Real> End<T> {
+    /// At a point.
+    fn new(body: usize, along: Vector<T>, lever: Vector<T>) -> Self {
+        Self { body, along, lever, radius: T::zero(), rim: T::zero() }
+    }
+    /// Of a body that turns alone.
+    fn turning(body: usize, radius: T) -> Self {
+        Self { radius, ..Self::new(body, [T::zero(); 2], [T::zero(); 2]) }
+    }
     fn turn(&self) -> T {
         cross(self.lever, self.along) + self.radius
     }
@@ -155,9 +160,6 @@ impl<T: Real> Row<T> {
     }
 }
 
-fn dot<T: Real>(a: Vector<T>, b: Vector<T>) -> T {
-    a[0] * b[0] + a[1] * b[1]
-}
 fn cross<T: Real>(a: Vector<T>, b: Vector<T>) -> T {
     a[0] * b[1] - a[1] * b[0]
 }
@@ -179,7 +181,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
             let places = spots.map(|spot| pose::of_spot(scene, n, spot));
             (centre, places.map(|[along, aside]| [along - centre, aside]).collect())
         };
-        let layout = Layout::new(scene, n).ok_or_else(|| outcome::unplaced(scene, lead))?;
+        let mut layout = Layout::new(scene, n).ok_or_else(|| outcome::unplaced(scene, lead))?;
         if !T::is_double() {
             if let Some(crossed) = layout.choices().into_iter().find(|choice| choice.crossed) {
                 return Err(Refusal::Crossed(crossed));
@@ -188,7 +190,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
                 return Err(Refusal::IdleSide { body, with });
             }
         }
-        let mut mechanism = Self {
+        if layout.measure_springs().is_none() {
+            return Err(outcome::unplaced(scene, layout.unplaced(true).unwrap_or(lead)));
+        }
+        Ok(Self {
             scene,
             n,
             lead,
@@ -198,27 +203,8 @@ impl<'a, T: Real> Mechanism<'a, T> {
             layout,
             drift: scene.drifts().map(|direction| pose::direction(n, direction)),
             levers: (0..scene.bodies.len()).map(levers).collect(),
-            natural: SmallVec::new(),
-            relaxed: SmallVec::new(),
             factors: RefCell::new(Factors::none()),
-        };
-        if scene.struts.is_empty() {
-            return Ok(mechanism);
-        }
-        let start = mechanism.poses(T::zero(), true)?;
-        for strut in &scene.struts {
-            let length = {
-                let (_, _, apart) = mechanism.strut(&start, strut.at, &strut.to);
-                dot(apart, apart).root()
-            };
-            mechanism.relaxed.push(mechanism.layout.relaxed(strut).ok_or(Refusal::Freedoms(2))?);
-            mechanism.natural.push(match strut.rest {
-                _ if strut.twists() => T::zero(),
-                Rest::Length(l) => n.get(l),
-                Rest::Stretch(x) => length - n.get(x),
-            });
-        }
-        Ok(mechanism)
+        })
     }
 
     /// Where all bodies are after this change of the leading angle, radians.
@@ -238,25 +224,9 @@ impl<'a, T: Real> Mechanism<'a, T> {
         self.poses(T::zero(), false)?;
         Err(Refusal::Contradiction { of, given: self.n.get(given).f64(), follows: 0.0 })
     }
-    /// Angle that the leading body turns per angle that leads.
-    pub fn ratio(&self) -> T {
-        self.layout.ratio()
-    }
-    /// [`Layout::to_end_deg`].
-    pub fn to_end_deg(&self) -> Option<T> {
-        self.layout.to_end_deg()
-    }
-    /// How far it turns on this way.
-    pub fn turned(&self, way: T) -> T {
-        self.layout.turned(way)
-    }
 
     fn turns(&self, body: usize) -> bool {
         self.scene.bodies[body].turns
-    }
-    /// Where a point of a body is.
-    pub fn place(&self, poses: &Poses<T>, spot: Spot) -> Vector<T> {
-        poses[spot.body].point(pose::of_spot(self.scene, self.n, spot))
     }
     /// Where a mass centre is.
     pub fn centre(&self, poses: &Poses<T>, body: usize) -> Vector<T> {
@@ -272,31 +242,13 @@ impl<'a, T: Real> Mechanism<'a, T> {
         }
         [c * apart - s * aside, s * apart + c * aside]
     }
-    /// The far end of a spring if it is a point of a body, its lever there, and the vector to it from the near end.
-    fn strut(&self, poses: &Poses<T>, at: Spot, to: &StrutEnd) -> (Option<Spot>, Vector<T>, Vector<T>) {
-        let near = self.place(poses, at);
-        let (far, spot) = match to {
-            StrutEnd::Ground(place) => (pose::ground(self.n, *place), None),
-            StrutEnd::Spot(spot) => (self.place(poses, *spot), Some(*spot)),
-            StrutEnd::Guide { through_m, direction_deg } => {
-                let along = pose::direction(self.n, *direction_deg);
-                (pose::foot(near, pose::ground(self.n, *through_m), along), None)
-            }
-            StrutEnd::Twist => (near, None),
-        };
-        (spot, near, [far[0] - near[0], far[1] - near[1]])
-    }
 
-    /// The rows of all joints.
     fn rows(&self, poses: &Poses<T>, rows: &mut Vec<Row<T>>) {
         let (zero, one) = (T::zero(), T::of(1.0));
         let (both, one_turn) = ([[one, zero], [zero, one]], one);
         let end = |spot: Spot, along: Vector<T>, radius: T| End {
-            body: spot.body,
-            along,
-            lever: self.lever(poses, spot),
             radius,
-            rim: zero,
+            ..End::new(spot.body, along, self.lever(poses, spot))
         };
         rows.clear();
         for (joint, held) in self.scene.joints.iter().enumerate() {
@@ -326,7 +278,9 @@ impl<'a, T: Real> Mechanism<'a, T> {
                 JointKind::Guide { at, .. } | JointKind::Contact { at, .. } => {
                     // The centre keeps its distance; rolling, its speed along the surface is the radius times the turn.
                     let line = self.layout.line(joint, poses);
-                    let Some(touch) = self.layout.touch(joint, self.place(poses, at), line) else { continue };
+                    let Some(touch) = self.layout.touch(joint, self.layout.spot(at, poses), line) else {
+                        continue;
+                    };
                     let [rolls, teeth] = held.kind.rolls();
                     if !teeth {
                         let rim = plant!("eom: radius at which a wheel rubs", touch.rim);
@@ -345,10 +299,8 @@ impl<'a, T: Real> Mechanism<'a, T> {
                 }
                 JointKind::Cord { at, place_m, beyond, .. } => {
                     let tied = |(at, place_m)| {
-                        let (near, far) = (self.place(poses, at), pose::ground(self.n, place_m));
-                        let apart = [far[0] - near[0], far[1] - near[1]];
-                        let length = dot(apart, apart).root();
-                        (end(at, apart.map(|x| x / length), zero), one / length)
+                        let (along, length) = self.layout.toward(poses, at, place_m);
+                        (end(at, along, zero), one / length)
                     };
                     let ((near, bend), far) = (tied((at, place_m)), beyond.map(tied));
                     let toward =
@@ -373,26 +325,19 @@ impl<'a, T: Real> Mechanism<'a, T> {
     /// What moves with the leading angle: the turn of the body, or its centre about the axis of a cylinder; or its way along guides. The
     /// speed at its unit rate comes with it.
     fn leads(&self, poses: &Poses<T>) -> (Row<T>, T) {
-        let zero = T::zero();
-        let (end, speed) = match self.layout.arc() {
-            Some(arc) => {
-                let spot = self.scene.joints[arc.joint].kind.spots().next();
-                let spot = spot.unwrap_or(Spot { body: self.lead, point: 0 });
-                let place = self.place(poses, spot);
-                let along = [(arc.axis[1] - place[1]) / arc.apart, (place[0] - arc.axis[0]) / arc.apart];
-                let lever = self.lever(poses, spot);
-                (End { body: self.lead, along, lever, radius: zero, rim: zero }, arc.apart)
-            }
-            None => {
-                let none = [zero; 2];
-                if let Some(along) = self.layout.glide() {
-                    let end = End { body: self.lead, along, lever: none, radius: zero, rim: zero };
-                    return (Row::new(0, end, None, zero), T::of(1.0));
-                }
-                (End { body: self.lead, along: none, lever: none, radius: T::of(1.0), rim: zero }, T::of(1.0))
-            }
+        let (lead, one) = (self.lead, T::of(1.0));
+        let (end, speed) = if let Some(arc) = self.layout.arc() {
+            let spot = self.scene.joints[arc.joint].kind.spots().next();
+            let spot = spot.unwrap_or(Spot { body: lead, point: 0 });
+            let place = self.layout.spot(spot, poses);
+            let along = [(arc.axis[1] - place[1]) / arc.apart, (place[0] - arc.axis[0]) / arc.apart];
+            (End::new(lead, along, self.lever(poses, spot)), arc.apart.signed(self.scene.sense(lead)))
+        } else if let Some(along) = self.layout.glide() {
+            (End::new(lead, along, [T::zero(); 2]), one)
+        } else {
+            (End::turning(lead, one), one.signed(self.scene.sense(lead)))
         };
-        (Row::new(0, end, None, zero), speed.signed(self.sense(self.lead)))
+        (Row::new(0, end, None, T::zero()), speed)
     }
 
     /// How fast everything moves for a unit rate of the leading angle, by what the joints hold.
@@ -419,13 +364,12 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let (mut rows, zero) = (state.rows.clone(), T::zero());
         let mut speeds: Vec<T> = rows.iter().map(|_| zero).collect();
         for (of, number) in self.scene.start_speeds() {
-            let end = |along, lever, radius| End { body: of.body, along, lever, radius, rim: zero };
             let (one, other) = match of.degree {
-                Degree::Turn => (end([zero; 2], [zero; 2], T::of(self.sense(of.body))), None),
+                Degree::Turn => (End::turning(of.body, T::of(self.scene.sense(of.body))), None),
                 Degree::Along => {
                     let (joint, at) = self.scene.guide_of(of.body).ok_or(Refusal::Open(of))?;
                     let along = self.layout.told_along(joint, &state.poses);
-                    self.against(joint, &state.poses, end(along, self.lever(&state.poses, at), zero))
+                    self.against(joint, &state.poses, End::new(of.body, along, self.lever(&state.poses, at)))
                 }
             };
             rows.push(Row::new(0, one, other, zero));
@@ -502,7 +446,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
     pub fn turn_to(&self, state: &mut State<T>, angle: &Half<T>) -> Result<(), Refusal> {
         let Some(planar) = self.scene.planar(self.lead) else { return Ok(()) };
         let [x, y] = planar.from.components().map(T::of);
-        let (c, s) = (angle.full_cosine(), angle.full_sine().signed(self.sense(self.lead)));
+        let (c, s) = (angle.full_cosine(), angle.full_sine().signed(self.scene.sense(self.lead)));
         state.poses[self.lead].axis = [(x * c).balance(-(y * s)), (y * c).balance(x * s)];
         state.leads = self.leads(&state.poses);
         self.look(state, true)
@@ -511,7 +455,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
     /// Says why there: where rods lie in one line, nothing tells how they go on.
     fn in_place(&self, way: T) -> impl Fn(Refusal) -> Refusal {
         move |why| match why {
-            Refusal::Freedoms(_) => self.in_line(way).map_or(why, Refusal::Beyond),
+            Refusal::Freedoms(_) => self.layout.in_line(way).map_or(why, Refusal::Beyond),
             why => why,
         }
     }
@@ -524,9 +468,8 @@ impl<'a, T: Real> Mechanism<'a, T> {
         }
         if let Some(along) = self.drift {
             // From rest its mass centre does not move that way.
-            let zero = T::zero();
-            let end = End { body: self.lead, along, lever: [zero; 2], radius: zero, rim: zero };
-            state.rows.push(Row::new(self.scene.joints.len(), end, None, zero));
+            let end = End::new(self.lead, along, [T::zero(); 2]);
+            state.rows.push(Row::new(self.scene.joints.len(), end, None, T::zero()));
         }
         let (columns, count) = (self.columns, state.rows.len() + 1);
         let mut speeds: SmallVec<[T; 12]> = smallvec![T::zero(); count];
@@ -594,12 +537,6 @@ impl<'a, T: Real> Mechanism<'a, T> {
         sum
     }
 
-    /// 1 where the angle of a body counts counter-clockwise, else -1.
-    pub fn sense(&self, body: usize) -> f64 {
-        let clockwise = self.scene.bodies[body].planar.as_ref().is_some_and(|p| p.clockwise);
-        if clockwise { -1.0 } else { 1.0 }
-    }
-
     /// The direction along the surface of a joint, that to the right of its normal.
     pub fn line(&self, state: &State<T>, joint: usize) -> Vector<T> {
         match self.row_of(state, joint) {
@@ -619,18 +556,6 @@ impl<'a, T: Real> Mechanism<'a, T> {
             slip.balance(x * along[0]).balance(y * along[1]).balance(rim * turn)
         })
     }
-    /// Velocities for a unit rate.
-    pub fn moving<'s>(&self, state: &'s State<T>) -> &'s Rates<T> {
-        &state.rates
-    }
-    /// Accelerations from rest.
-    pub fn setting_off<'r>(&self, response: &'r Response<T>) -> &'r Rates<T> {
-        &response.moves[CONSTANT]
-    }
-    /// Direction of the axis of a body.
-    pub fn axis(&self, state: &State<T>, body: usize) -> Vector<T> {
-        state.poses[body].axis
-    }
 
     /// For each body: the forces on it and their moment about the mass centre, save those of joints; or the impulses of blows.
     fn forces(&self, poses: &Poses<T>, blows: bool) -> Rates<T> {
@@ -649,22 +574,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
             (on[0], on[1]) = (on[0].balance(f[0]), on[1].balance(f[1]));
             on[2] = on[2].balance(plant!("eom: moment of a force about the mass centre", cross(r, f)));
         };
-        for (push, [c, s]) in self.scene.pushes.iter().zip(self.layout.pushes.iter().copied()) {
-            if push.blow != blows {
-                continue;
-            }
-            let axis = poses[push.at.body].axis;
-            let u = if let Some(place) = push.toward_m {
-                let (_, _, apart) = self.strut(poses, push.at, &StrutEnd::Ground(place));
-                let length = dot(apart, apart).root();
-                apart.map(|x| x / length)
-            } else if push.turns {
-                [axis[0] * c - axis[1] * s, axis[1] * c + axis[0] * s]
-            } else {
-                [c, s]
-            };
+        for (i, push) in self.scene.pushes.iter().enumerate().filter(|(_, push)| push.blow == blows) {
             let p = plant!("eom: force on a point", self.n.massive(push.force_n));
-            force(push.at.body, u.map(|x| x * p), self.lever(poses, push.at));
+            let along = self.layout.push(poses, i).map(|x| x * p);
+            force(push.at.body, along, self.lever(poses, push.at));
         }
         if blows {
             for (b, before) in self.before(poses).into_iter().enumerate() {
@@ -674,11 +587,11 @@ impl<'a, T: Real> Mechanism<'a, T> {
             }
             return forces;
         }
-        for (s, (strut, natural)) in self.scene.struts.iter().zip(&self.natural).enumerate() {
+        for (s, (strut, natural)) in self.scene.struts.iter().zip(&self.layout.natural).enumerate() {
             if strut.twists() || strut.acts != Acts::Both && self.stretch(poses, s).is_zero() {
                 continue;
             }
-            let (other, _, apart) = self.strut(poses, strut.at, &strut.to);
+            let apart = self.layout.span(poses, s);
             let stiffness =
                 plant!("eom: stiffness of a spring in the plane", self.n.massive(strut.stiffness_n_m));
             let slope = if natural.is_zero() {
@@ -687,19 +600,19 @@ impl<'a, T: Real> Mechanism<'a, T> {
                 stiffness - stiffness * *natural / dot(apart, apart).root()
             };
             force(strut.at.body, apart.map(|x| x * slope), self.lever(poses, strut.at));
-            if let Some(other) = other {
+            if let StrutEnd::Spot(other) = strut.to {
                 force(other.body, apart.map(|x| -(x * slope)), self.lever(poses, other));
             }
         }
         for (s, strut) in self.scene.struts.iter().enumerate().filter(|(_, strut)| strut.twists()) {
             let stiffness = plant!("eom: stiffness of a torsion spring", self.n.massive(strut.stiffness_n_m));
-            let moment = -(stiffness * self.stretch(poses, s)).signed(self.sense(strut.at.body));
+            let moment = -(stiffness * self.stretch(poses, s)).signed(self.scene.sense(strut.at.body));
             forces[strut.at.body][2] = forces[strut.at.body][2].balance(moment);
         }
         for c in &self.scene.couples {
             let moment = plant!("eom: moment of a couple in the plane", self.n.massive(c.moment_n_m));
-            let moment = moment.signed(self.sense(c.body));
-            forces[c.body][2] = forces[c.body][2].balance(if c.forward { moment } else { -moment });
+            let moment = moment.signed(self.scene.sense(c.body));
+            forces[c.body][2] = forces[c.body][2].balance(c.signed(moment));
         }
         forces
     }
@@ -768,7 +681,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
 
     /// Moment about the mass centre of a body of all forces on it but those of joints, as its own angle counts.
     pub fn moment(&self, state: &State<T>, body: usize) -> T {
-        self.forces(&state.poses, false)[body][2].signed(self.sense(body))
+        self.forces(&state.poses, false)[body][2].signed(self.scene.sense(body))
     }
 
     /// Accelerations and reactions for these senses of sliding of each joint (0 where nothing rubs).
@@ -827,8 +740,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
     fn before(&self, poses: &Poses<T>) -> Rates<T> {
         let mut before: Rates<T> = smallvec![[T::zero(); 3]; self.n.bodies.len()];
         for (b, arrives) in self.scene.arrivals() {
-            let spin =
-                plant!("eom: spin before an impact", self.n.get(arrives.spin_rad_s).signed(self.sense(b)));
+            let spin = plant!(
+                "eom: spin before an impact",
+                self.n.get(arrives.spin_rad_s).signed(self.scene.sense(b))
+            );
             let speed = plant!("eom: speed before an impact", self.n.get(arrives.speed_m_s));
             let [c, s] = pose::direction(self.n, arrives.direction_deg);
             let pin = self.scene.turns_about((b, arrives));
@@ -845,38 +760,20 @@ impl<'a, T: Real> Mechanism<'a, T> {
         state
     }
 
-    /// The response with the couple on the leading body that gives it this angular acceleration at this square of the rate, and
-    /// that couple: everything is affine in it.
+    /// The response with the couple on the leading body that gives it this angular acceleration, and that couple: one more row, whose
+    /// second derivative is given.
     ///
-    /// Errors: as for [`Self::respond`]; a couple that cannot turn it.
-    pub fn driven(
-        &self,
-        state: &State<T>,
-        sliding: &[f64],
-        (alpha, square): (T, T),
-    ) -> Result<(Response<T>, T), Refusal> {
-        let mut response = self.respond(state, sliding)?;
-        let rows = self.rubbing(state, sliding);
-        let mut couple: Rates<T> = smallvec![[T::zero(); 3]; self.n.bodies.len()];
-        couple[self.lead][2] = plant!("eom: couple of a drive", T::of(self.sense(self.lead)));
-        let unit = self.answer(state, &rows, &couple, false)?;
-        let (constant, by_square) = self.turning(&response, self.lead);
-        let per = self.turning(&unit, self.lead).0;
-        if per.is_zero() {
-            return Err(Refusal::Freedoms(0));
-        }
-        let moment = alpha.balance(-constant).balance(-(by_square * square)) / per;
-        let add = |value: &mut T, unit: T| *value = value.balance(unit * moment);
-        for (value, unit) in response.forces.iter_mut().zip(&unit.forces) {
-            if let (Some(value), Some(unit)) = (value, unit) {
-                add(&mut value.0, unit.0);
-            }
-        }
-        for (value, unit) in response.moves[0].iter_mut().flatten().zip(unit.moves[0].iter().flatten()) {
-            add(value, *unit);
-        }
-        add(&mut response.lead.0, unit.lead.0);
-        Ok((response, moment))
+    /// Errors: as for [`Self::respond`].
+    pub fn driven(&self, state: &State<T>, sliding: &[f64], alpha: T) -> Result<Driven<T>, Refusal> {
+        let mut rows = self.rubbing(state, sliding);
+        let sense = plant!("eom: couple of a drive", T::of(self.scene.sense(self.lead)));
+        let turn = End::turning(self.lead, sense);
+        rows.push(Row::new(self.scene.joints.len(), turn, None, T::zero()));
+        let inward: SmallVec<[T; 12]> =
+            rows.iter().chain([&state.leads.0]).map(|row| self.inward(state, row)).collect();
+        let mut response = self.general(state, &rows, &self.forces(&state.poses, false), &inward, alpha)?;
+        let couple = response.forces.pop().flatten();
+        Ok((response, couple))
     }
 
     /// What bodies do under these forces, and by their motion if they `bend` their ways in time.
@@ -891,7 +788,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let inward: SmallVec<[T; 12]> = rows.iter().chain([&state.leads.0]).map(inward).collect();
         match self.bodies(state, rows, forces, &inward) {
             Some(response) => Ok(response),
-            None => self.general(state, rows, forces, &inward),
+            None => self.general(state, rows, forces, &inward, T::zero()),
         }
     }
 
@@ -954,13 +851,15 @@ impl<'a, T: Real> Mechanism<'a, T> {
         Some(Response { forces: pairs().take(rows.len()).map(Some).collect(), lead, moves: [rates, bends] })
     }
 
-    /// All accelerations and forces at once, where there are more freedoms, or where reactions repeat each other.
+    /// All accelerations and forces at once, where there are more freedoms, or where reactions repeat each other; `given` is the constant
+    /// part of the second derivative that the last row keeps.
     fn general(
         &self,
         state: &State<T>,
         held: &[Row<T>],
         forces: &[[T; 3]],
         inward: &[T],
+        given: T,
     ) -> Result<Response<T>, Refusal> {
         let unknowns = self.columns + held.len();
         let mut rows = Linear::new(unknowns, 2);
@@ -988,7 +887,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
             }
             rows.right(unknown, SQUARE, *inward);
         }
-        let solution = rows.solve().map_err(|s| Refusal::Singular { unknowns: s.unknowns, rank: s.rank })?;
+        if !given.is_zero() {
+            rows.right(unknowns - 1, CONSTANT, given);
+        }
+        let solution = rows.solve()?;
         if (0..self.columns).any(|i| solution.is_open(i)) {
             return Err(Refusal::Singular { unknowns, rank: unknowns - 1 });
         }
@@ -1014,13 +916,9 @@ impl<'a, T: Real> Mechanism<'a, T> {
         Ok(Response { forces: (self.columns..unknowns).map(of).collect(), lead, moves })
     }
 
-    /// The second derivative of the leading angle: constant part, and per square of its rate.
-    pub const fn leading(&self, response: &Response<T>) -> (T, T) {
-        response.lead
-    }
     /// Angular acceleration of a body, as its own angle counts: constant part, and per square of the rate.
     pub fn turning(&self, response: &Response<T>, body: usize) -> (T, T) {
-        let [constant, square] = [0, 1].map(|i| response.moves[i][body][2].signed(self.sense(body)));
+        let [constant, square] = [0, 1].map(|i| response.moves[i][body][2].signed(self.scene.sense(body)));
         (constant, square)
     }
     /// Acceleration of a mass centre at this square of the rate: to the right and up.
@@ -1035,7 +933,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
     }
     /// Angular velocity of a body for a unit rate, as its own angle counts.
     pub fn spin(&self, state: &State<T>, body: usize) -> T {
-        state.rates[body][2].signed(self.sense(body))
+        state.rates[body][2].signed(self.scene.sense(body))
     }
     /// Sum of the magnitudes of the momenta that bodies gain by these jumps of their velocities.
     pub fn gained(&self, jumps: &Response<T>) -> f64 {
@@ -1109,14 +1007,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
                 }
             }
         }
-        let all: f64 = load.iter().map(|x| x.abs()).sum();
-        let carried = shares::lacking(&columns, &load) <= SHARED * all;
-        (!carried).then_some(first.joint)
-    }
-    /// Velocity of a mass centre for a unit rate.
-    pub fn velocity(&self, state: &State<T>, body: usize) -> Vector<T> {
-        let [x, y, _] = state.rates[body];
-        [x, y]
+        (!shares::carry(&columns, &load)).then_some(first.joint)
     }
     /// Velocity of a point for a unit rate.
     pub fn speed(&self, state: &State<T>, spot: Spot) -> Vector<T> {
@@ -1146,27 +1037,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
     pub fn height(&self, state: &State<T>, body: usize) -> T {
         self.centre(&state.poses, body)[1]
     }
-    /// How far a spring is longer than it naturally is, or the body of a torsion spring turned beyond where that is relaxed; 0 where it
-    /// does not act.
+    /// How far a spring is stretched, or the body of a torsion spring turned beyond where that is relaxed; 0 where it does not act.
     fn stretch(&self, poses: &Poses<T>, strut: usize) -> T {
-        if self.idles(poses, strut) { T::zero() } else { self.beyond(poses, strut) }
-    }
-    /// Is a spring that only pushes or pulls away from where it does?
-    pub fn idles(&self, poses: &Poses<T>, strut: usize) -> bool {
-        let beyond = self.beyond(poses, strut).sign();
-        match self.scene.struts[strut].acts {
-            Acts::Both => false,
-            Acts::Pushes => beyond > 0.0,
-            Acts::Pulls => beyond < 0.0,
-        }
-    }
-    fn beyond(&self, poses: &Poses<T>, strut: usize) -> T {
-        let s = &self.scene.struts[strut];
-        if let (true, Some(planar)) = (s.twists(), self.scene.planar(s.at.body)) {
-            return pose::turned_from(planar, poses[s.at.body].axis, self.relaxed[strut]);
-        }
-        let (_, _, apart) = self.strut(poses, s.at, &s.to);
-        dot(apart, apart).root().balance(-self.natural[strut])
+        let beyond = self.layout.beyond(poses, strut);
+        if self.layout.acts(strut, beyond) { beyond } else { T::zero() }
     }
     /// The force of a spring that is stretched by its natural length, N, or the moment of one that is turned by 1 rad, N m; 0 where its
     /// stretch is given.
@@ -1174,80 +1048,62 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let s = &self.scene.struts[strut];
         let by = match s.rest {
             _ if s.twists() => T::of(1.0),
-            Rest::Length(_) => self.natural[strut],
+            Rest::Length(_) => self.layout.natural[strut],
             Rest::Stretch(_) => T::zero(),
         };
         (self.n.massive(s.stiffness_n_m) * by).size()
     }
-    /// Where springs that only push or pull are met or let go of on a way from the start: which, and the leading angle.
-    pub fn meets(&self, sense: f64, far: (T, T)) -> SmallVec<[(usize, T); 4]> {
-        let one_sided = |s: &usize| self.scene.struts[*s].acts != Acts::Both;
-        let all = (0..self.scene.struts.len()).filter(one_sided);
-        let ways = all.flat_map(|s| {
-            let [met, _] = self.passes(s, sense, far);
-            met.into_iter().map(move |way| (s, way.signed(sense)))
-        });
-        ways.collect()
-    }
-    /// After which ways a spring has its natural length, and where it is shortest or longest: between two of those it is met once at
-    /// most, however short it is.
-    pub fn passes(&self, strut: usize, sense: f64, far: (T, T)) -> [SmallVec<[T; 4]>; 2] {
-        let Strut { at, ref to, .. } = self.scene.struts[strut];
-        let poses = |way: T| self.poses(way.signed(sense), false);
-        let square = |way: T| {
-            let (_, _, apart) = self.strut(&poses(way)?, at, to);
-            Ok::<_, Refusal>(dot(apart, apart))
-        };
-        let turns =
-            if self.scene.struts[strut].twists() { SmallVec::new() } else { root::turns(far, &square) };
-        let value = |way: T| Ok::<_, Refusal>(self.beyond(&poses(way)?, strut));
-        [root::changes(far, &turns, &value).unwrap_or_default(), turns]
-    }
-    /// [`Layout::in_line`].
-    pub fn in_line(&self, way: T) -> Option<Obstacle> {
-        self.layout.in_line(way)
-    }
-    /// [`Layout::looks_farther`].
-    pub fn looks_farther(&mut self) -> bool {
-        self.layout.looks_farther()
-    }
-    /// [`Layout::horizon`].
-    pub fn horizon(&self) -> T {
-        self.layout.horizon()
-    }
-    /// [`Layout::overruns`].
-    pub fn overruns(&self, sense: f64, far: (T, T)) -> Option<(T, Obstacle)> {
-        self.layout.overruns(&self.relaxed, sense, far)
-    }
     /// Does a point of a body pass on this way through the surface that pushes another one of its points? One that starts beyond is no
-    /// part of what the surface bears; what stands out over the rim of a wheel runs beside its rail.
+    /// part of what the surface bears; what stands out over the rim of a wheel runs beside its rail. Doubles tell.
     pub fn pierces(&self, sense: f64, far: (T, T)) -> Option<Obstacle> {
-        let margin = T::of(PIERCED * self.size());
-        self.scene.joints.iter().zip(&self.layout.lines).enumerate().find_map(|(j, (joint, [c, s]))| {
-            let (at, through) = match joint.kind {
-                JointKind::Guide { at, line, one_sided: true, .. }
-                | JointKind::Contact {
-                    at, surface: Surface::Line(line), rolls: false, teeth: false, ..
-                } if line.on.is_none() => (at, pose::ground(self.n, line.through_m)),
-                _ => return None,
-            };
-            let above = |spot: Spot, way: T| {
-                let [x, y] = self.place(&self.poses(way.signed(sense), false)?, spot);
-                Ok::<_, Refusal>((y - through[1]) * *c - (x - through[0]) * *s + margin)
-            };
-            let points = self.scene.planar(at.body).map_or(0, |p| p.points.len());
-            let pierces = |spot: &Spot| {
-                let above = |way: T| above(*spot, way);
-                above(T::zero()).is_ok_and(|first| first.sign() > 0.0)
-                    && root::changes(far, &[], &above).is_ok_and(|places| !places.is_empty())
-            };
-            let mut others =
-                (0..points).map(|point| Spot { body: at.body, point }).filter(|spot| *spot != at);
-            others.find(pierces).map(|spot| Obstacle::Strikes(spot, j))
-        })
+        let (scene, margin) = (self.scene, PIERCED * self.size());
+        if T::is_double() || pushing(scene).next().is_none() {
+            return strikes(&self.layout, self.n, sense, far, margin);
+        }
+        let n = self.n.in_doubles(scene);
+        strikes(&Layout::new(scene, &n)?, &n, sense, (far.0.f64(), far.1.f64()), margin)
     }
     /// Force of a spring, positive if it pulls; moment of a torsion spring against its stretch.
     pub fn tension(&self, state: &State<T>, strut: usize) -> T {
         self.n.massive(self.scene.struts[strut].stiffness_n_m) * self.stretch(&state.poses, strut)
     }
+}
+
+/// The straight surfaces on the ground that push points of bodies: the joint, the point, a place on the line.
+fn pushing(scene: &Scene) -> impl Iterator<Item = (usize, Spot, [Num; 2])> {
+    scene.joints.iter().enumerate().filter_map(|(j, joint)| match joint.kind {
+        JointKind::Guide { at, line, one_sided: true, .. }
+        | JointKind::Contact { at, surface: Surface::Line(line), rolls: false, teeth: false, .. }
+            if line.on.is_none() =>
+        {
+            Some((j, at, line.through_m))
+        }
+        _ => None,
+    })
+}
+
+/// [`Mechanism::pierces`], by more than a margin.
+fn strikes<T: Real>(
+    layout: &Layout<T>,
+    n: &Numbers<T>,
+    sense: f64,
+    far: (T, T),
+    margin: f64,
+) -> Option<Obstacle> {
+    pushing(layout.scene).find_map(|(j, at, through_m)| {
+        let ([c, s], through) = (layout.lines[j], pose::ground(n, through_m));
+        let above = |spot: Spot, way: T| {
+            let poses: Poses<T> = layout.poses(way.signed(sense), false).ok_or(())?;
+            let [x, y] = layout.spot(spot, &poses);
+            Ok::<_, ()>((y - through[1]) * c - (x - through[0]) * s + T::of(margin))
+        };
+        let pierces = |spot: &Spot| {
+            let above = |way: T| above(*spot, way);
+            above(T::zero()).is_ok_and(|first| first.sign() > 0.0)
+                && root::changes(far, &[], &above).is_ok_and(|places| !places.is_empty())
+        };
+        let points = layout.scene.planar(at.body).map_or(0, |p| p.points.len());
+        let mut others = (0..points).map(|point| Spot { body: at.body, point }).filter(|spot| *spot != at);
+        others.find(pierces).map(|spot| Obstacle::Strikes(spot, j))
+    })
 }

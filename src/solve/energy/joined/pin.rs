@@ -9,15 +9,6 @@ use crate::solve::outcome::{Refusal, Road, Scope};
 use smallvec::{SmallVec, smallvec};
 
 impl<T: Real> Account<'_, T> {
-    /// The couples on it, as its angle counts, if there are any.
-    pub fn couple(&self) -> Option<T> {
-        let each = self.scene.couples.iter().map(|c| {
-            let moment = self.n.massive(c.moment_n_m);
-            if c.forward { moment } else { -moment }
-        });
-        each.reduce(T::balance)
-    }
-
     /// What holds whatever the end, with this spin at the start.
     pub fn tell_lasting(&mut self, spin: T, asked: Scope, road: &mut Road<T>) -> Result<(), Refusal> {
         let (poses, of) = (self.poses(T::zero())?, Owner::Body(self.lead));
@@ -70,7 +61,7 @@ impl<T: Real> Account<'_, T> {
     /// does work, to the right and up from both.
     pub fn tell_pin(&self, poses: &Poses<T>, second: T, square: T, road: &mut Road<T>) {
         let (b, zero) = (self.lead, T::zero());
-        let (numbers, arm, sense) = (&self.n.bodies[b], self.centres[b].0, self.counts(b));
+        let (numbers, arm, sense) = (&self.n.bodies[b], self.centres[b].0, self.scene.sense(b));
         let [c, s] = poses[b].axis.map(|x| x.value);
         let lacks = |powers: SmallVec<[T; 6]>, needed: T| {
             let size = powers.iter().fold(needed.size(), |sum, p| sum + p.size());

@@ -1,9 +1,9 @@
 //! What work and energy say of joined bodies at a place, and of the equilibrium toward which they set off.
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, ball, trig};
-use crate::scene::pose;
+use crate::scene::pose::{self, dot};
 use crate::scene::{Acts, Label, Owner, Quantity, Spot};
-use crate::solve::energy::joined::{Accelerations, Account, Motion, Poses, STEP, Vector, dot, right};
+use crate::solve::energy::joined::{Accelerations, Account, Motion, Poses, STEP, Vector, right};
 use crate::solve::outcome::{Course, Refusal, Road, Said};
 
 impl<T: Real> Account<'_, T> {
@@ -24,7 +24,11 @@ impl<T: Real> Account<'_, T> {
         let moves = |b: usize, along: T| self.accelerates(poses, b, along, second, square);
         let turning = |b: usize| {
             let (first, bend) = poses[b].turn();
-            if self.pinned { second.signed(self.counts(b)) } else { (first * second).balance(bend * square) }
+            if self.pinned {
+                second.signed(self.scene.sense(b))
+            } else {
+                (first * second).balance(bend * square)
+            }
         };
         let moving = rates.iter().map(|r| r.map(|x| x * rate)).collect();
         if self.pinned {
@@ -50,29 +54,29 @@ impl<T: Real> Account<'_, T> {
                 sum = sum - plant!("energy: carrier on the bend of a way", numbers.mass * dot(a, bend));
             }
         }
-        for (push, direction) in self.scene.pushes.iter().zip(&self.layout.pushes).filter(|(p, _)| !p.blow) {
+        for (i, push) in self.scene.pushes.iter().enumerate().filter(|(_, push)| !push.blow) {
             if let Some(place) = push.toward_m {
-                sum = sum - self.n.massive(push.force_n) * self.off(poses, push.at, place).second;
+                sum = sum - self.n.massive(push.force_n) * self.layout.distance(poses, push.at, place).second;
                 continue;
             }
-            let (at, u) = (self.point(poses, push.at), self.push(poses, push, *direction));
+            let (at, u) = (self.point(poses, push.at), self.layout.push(poses, i));
             let turn = if push.turns { poses[push.at.body].turn().0 } else { T::zero() };
             let turned = [-u[1] * turn, u[0] * turn];
             sum = sum + self.n.massive(push.force_n) * (dot(u, second(at)) + dot(turned, first(at)));
         }
         for c in &self.scene.couples {
-            let bend = poses[c.body].turn().1.signed(self.counts(c.body));
-            sum = sum + self.n.massive(c.moment_n_m) * if c.forward { bend } else { -bend };
+            let bend = poses[c.body].turn().1.signed(self.scene.sense(c.body));
+            sum = sum + self.n.massive(c.moment_n_m) * c.signed(bend);
         }
-        for (s, (strut, natural)) in self.scene.struts.iter().zip(&self.natural).enumerate() {
-            if !self.bears(s, self.length(poses, s).value) {
+        for (s, (strut, natural)) in self.scene.struts.iter().zip(&self.layout.natural).enumerate() {
+            if !self.layout.acts(s, self.layout.beyond(poses, s)) {
                 continue;
             }
             // Of (l - l0)^2 / 2 the square of the length bends evenly where the spring is at its anchor, the length does not.
-            let [x, y] = self.apart(poses, s);
+            let [x, y] = self.layout.span(poses, s);
             let mut bend = (x * x + y * y).second.scale2(-1);
             if !natural.is_zero() {
-                bend = bend - *natural * self.length(poses, s).second;
+                bend = bend - *natural * self.layout.length(poses, s).second;
             }
             sum = sum
                 - plant!("energy: spring on the bend of a way", self.n.massive(strut.stiffness_n_m)) * bend;
@@ -107,10 +111,10 @@ impl<T: Real> Account<'_, T> {
                 let size = pose::size(self.scene, self.n);
                 let nothing = 1e-9 * pose::pulls(self.scene, self.n) * size;
                 let met = |s: usize| {
-                    let apart = self.length(&poses, s).value - self.natural[s];
+                    let apart = self.layout.length(&poses, s).value - self.layout.natural[s];
                     self.scene.struts[s].acts != Acts::Both && apart.size() < 1e-12 * size
                 };
-                let met = (0..self.natural.len()).any(met);
+                let met = (0..self.layout.natural.len()).any(met);
                 if T::of(nothing).below(stiff) && !met { stiff / self.inertia(&poses) } else { T::zero() }
             }
             None => T::zero(),
@@ -198,7 +202,7 @@ impl<T: Real> Account<'_, T> {
                     self.say(road, Quantity::AngularMomentum, of, momentum);
                 }
                 if let Some((_, turning)) = rates {
-                    self.say(road, Quantity::Alpha, of, turning(b).signed(self.counts(b)));
+                    self.say(road, Quantity::Alpha, of, turning(b).signed(self.scene.sense(b)));
                 }
             }
             let own = self.of_couples(motion).filter(|(body, _)| *body == b).map(|(_, power)| power);
@@ -300,9 +304,9 @@ impl<T: Real> Account<'_, T> {
 
     /// The forces and moments of springs.
     pub fn tell_springs(&self, poses: &Poses<T>, road: &mut Road<T>) {
-        for (s, (strut, natural)) in self.scene.struts.iter().zip(&self.natural).enumerate() {
-            let length = self.length(poses, s).value;
-            let stretch = if self.bears(s, length) { length.balance(-*natural) } else { T::zero() };
+        for (s, strut) in self.scene.struts.iter().enumerate() {
+            let beyond = self.layout.beyond(poses, s);
+            let stretch = if self.layout.acts(s, beyond) { beyond } else { T::zero() };
             let force = self.n.massive(strut.stiffness_n_m) * stretch;
             if strut.twists() {
                 self.say(road, Quantity::Moment, Owner::Strut(s), -force);

@@ -1,12 +1,11 @@
 //! What forces do over a way of joined bodies, and the rate that it leaves them with.
 use crate::num::gauss::{PerNode, Unsettled};
-use crate::num::jet::Followed;
 use crate::num::plant::plant;
-use crate::num::{Jet, Real, gauss};
-use crate::scene::pose::Pose;
-use crate::scene::{Acts, Num, Push, Spot, StrutEnd, pose};
+use crate::num::{Real, gauss};
+use crate::scene::pose::{Pose, dot};
+use crate::scene::{Acts, Spot, StrutEnd, pose};
 use crate::solve::energy::joined::{
-    Account, At, Between, Motion, Poses, SMOOTH, Seen, Stretch, TURNS_OF_ITERATION, Vector, dot, least,
+    Account, At, Between, Motion, Poses, SMOOTH, Seen, Stretch, TURNS_OF_ITERATION, Vector, least,
 };
 use crate::solve::outcome::Refusal;
 use smallvec::{SmallVec, smallvec};
@@ -59,9 +58,9 @@ impl<T: Real> Account<'_, T> {
 
     /// Powers of forces, or what blows do.
     pub fn pushed(&self, poses: &Poses<T>, motion: &Motion<T>, blows: bool) -> impl Iterator<Item = T> {
-        let pushes = self.scene.pushes.iter().zip(&self.layout.pushes).filter(move |(p, _)| p.blow == blows);
-        pushes.map(move |(push, direction)| {
-            let u = self.push(poses, push, *direction);
+        let pushes = self.scene.pushes.iter().enumerate().filter(move |(_, push)| push.blow == blows);
+        pushes.map(move |(i, push)| {
+            let u = self.layout.push(poses, i);
             let p = plant!("energy: power of a force on a point", self.n.massive(push.force_n));
             p * dot(u, self.of_spot(poses, motion, push.at))
         })
@@ -82,7 +81,7 @@ impl<T: Real> Account<'_, T> {
     pub fn before(&self, poses: &Poses<T>) -> Motion<T> {
         let mut before: Motion<T> = smallvec![[T::zero(); 3]; self.scene.bodies.len()];
         for (b, arrives) in self.scene.arrivals() {
-            before[b][2] = self.n.get(arrives.spin_rad_s).signed(self.counts(b));
+            before[b][2] = self.n.get(arrives.spin_rad_s).signed(self.scene.sense(b));
             // The origin of its axis moves so that the point about which it turns does not, or its mass centre as it is told to.
             let turned = match self.scene.turns_about((b, arrives)) {
                 Some(pin) => self.of_spot(poses, &before, pin),
@@ -101,14 +100,14 @@ impl<T: Real> Account<'_, T> {
         let mut powers: SmallVec<[T; 6]> = self.pushed(poses, motion, false).collect();
         powers.extend(self.of_drive(motion));
         powers.extend(self.of_couples(motion).map(|(_, power)| power));
-        for (s, (strut, natural)) in self.scene.struts.iter().zip(&self.natural).enumerate() {
-            let length = self.length(poses, s).value;
+        for (s, (strut, natural)) in self.scene.struts.iter().zip(&self.layout.natural).enumerate() {
+            let length = self.layout.length(poses, s).value;
             if strut.acts != Acts::Both && !self.bears(s, length) {
                 continue;
             }
             let moves = match strut.to {
                 StrutEnd::Twist => {
-                    let turn = motion[strut.at.body][2].signed(self.counts(strut.at.body));
+                    let turn = motion[strut.at.body][2].signed(self.scene.sense(strut.at.body));
                     let stiffness =
                         plant!("energy: power of a torsion spring", self.n.massive(strut.stiffness_n_m));
                     powers.push(-(stiffness * length * turn));
@@ -118,7 +117,7 @@ impl<T: Real> Account<'_, T> {
                 // On a guide it moves across the spring.
                 StrutEnd::Ground(_) | StrutEnd::Guide { .. } => [T::zero(); 2],
             };
-            let apart = self.apart(poses, s).map(|x| x.value);
+            let apart = self.layout.span(poses, s).map(|x| x.value);
             let v = self.of_spot(poses, motion, strut.at);
             let longer = dot(apart, [moves[0] - v[0], moves[1] - v[1]]);
             let stiffness =
@@ -137,36 +136,14 @@ impl<T: Real> Account<'_, T> {
     pub fn of_couples(&self, motion: &Motion<T>) -> impl Iterator<Item = (usize, T)> {
         self.scene.couples.iter().map(move |c| {
             let moment = plant!("energy: power of a couple in the plane", self.n.massive(c.moment_n_m));
-            let turn = motion[c.body][2].signed(self.counts(c.body));
-            (c.body, moment * if c.forward { turn } else { -turn })
+            let turn = motion[c.body][2].signed(self.scene.sense(c.body));
+            (c.body, moment * c.signed(turn))
         })
     }
 
-    /// Direction of a force.
-    pub fn push(&self, poses: &Poses<T>, push: &Push, [c, s]: Vector<T>) -> Vector<T> {
-        if let Some(place) = push.toward_m {
-            let length = self.off(poses, push.at, place);
-            let [x, y] = self.to_place(poses, push.at, place).map(|x| x.value);
-            return [x, y].map(|x| x / length.value);
-        }
-        let axis = poses[push.at.body].axis.map(|x| x.value);
-        if push.turns { [axis[0] * c - axis[1] * s, axis[1] * c + axis[0] * s] } else { [c, s] }
-    }
-
-    /// From a point to a place.
-    pub fn to_place(&self, poses: &Poses<T>, at: Spot, place_m: [Num; 2]) -> pose::Point<T> {
-        let (at, place) = (self.point(poses, at), pose::ground(self.n, place_m));
-        [0, 1].map(|i| Jet::fixed(place[i]) - at[i])
-    }
-    /// How far a point is off a place.
-    pub fn off(&self, poses: &Poses<T>, at: Spot, place_m: [Num; 2]) -> Jet<T> {
-        let [x, y] = self.to_place(poses, at, place_m);
-        (x * x + y * y).square_root()
-    }
-
-    /// 1 where the angle of a body counts counter-clockwise, else -1.
-    pub fn counts(&self, body: usize) -> f64 {
-        if self.scene.bodies[body].planar.as_ref().is_some_and(|p| p.clockwise) { -1.0 } else { 1.0 }
+    /// Does a spring of this length press, or pull, where it can do but one of them?
+    pub fn bears(&self, s: usize, length: T) -> bool {
+        self.layout.acts(s, length.balance(-self.layout.natural[s]))
     }
 
     /// Work of all forces between two places, so far apart.
@@ -185,21 +162,21 @@ impl<T: Real> Account<'_, T> {
                 add(plant!("energy: energy shared with the carrier in the plane", numbers.mass * shared));
             }
         }
-        for (push, direction) in self.scene.pushes.iter().zip(&self.layout.pushes).filter(|(p, _)| !p.blow) {
+        for (i, push) in self.scene.pushes.iter().enumerate().filter(|(_, push)| !push.blow) {
             let p = plant!("energy: work of a force on a point", self.n.massive(push.force_n));
             if let Some(place) = push.toward_m {
-                let [a, b] = [from, to].map(|poses| self.off(poses, push.at, place).value);
+                let [a, b] = [from, to].map(|poses| self.layout.distance(poses, push.at, place).value);
                 add(p * (a - b));
             } else if push.turns {
                 let power = |at: T| {
                     let poses = self.poses(at)?;
                     let v = self.point(&poses, push.at).map(|x| x.first.signed(self.sense));
-                    Ok::<_, Refusal>(dot(self.push(&poses, push, *direction), v))
+                    Ok::<_, Refusal>(dot(self.layout.push(&poses, i), v))
                 };
                 let terms = pose::size(self.scene, self.n);
                 add(p * gauss::short().integral(power, (T::zero(), way), terms)?);
             } else {
-                add(p * dot(self.push(from, push, *direction), self.shift(places, push.at)));
+                add(p * dot(self.layout.push(from, i), self.shift(places, push.at)));
             }
         }
         for c in &self.scene.couples {
@@ -208,10 +185,10 @@ impl<T: Real> Account<'_, T> {
             } else {
                 let rate = |at: T| Ok::<_, Refusal>(self.poses(at)?[c.body].turn().0.signed(self.sense));
                 // A body that only moves turns by rounding alone, beside the one that leads.
-                gauss::short().integral(rate, (T::zero(), way), 1.0)?.signed(self.counts(c.body))
+                gauss::short().integral(rate, (T::zero(), way), 1.0)?.signed(self.scene.sense(c.body))
             };
             let moment = plant!("energy: work of a couple in the plane", self.n.massive(c.moment_n_m));
-            add(moment * if c.forward { turned } else { -turned });
+            add(moment * c.signed(turned));
         }
         for (s, strut) in self.scene.struts.iter().enumerate() {
             let stiffness =
@@ -229,9 +206,9 @@ impl<T: Real> Account<'_, T> {
     /// By how much the square of the stretch of a spring has shrunk, as `(x0 - x1)(x0 + x1)`; the difference of two lengths is that
     /// of their squares over their sum.
     pub fn released(&self, s: usize, places: &Between<T>) -> T {
-        let (strut, natural) = (&self.scene.struts[s], self.natural[s]);
+        let (strut, natural) = (&self.scene.struts[s], self.layout.natural[s]);
         let ends = [places.from, places.to];
-        let lengths = ends.map(|poses| self.length(poses, s).value);
+        let lengths = ends.map(|poses| self.layout.length(poses, s).value);
         // Where it does not act, it is as if it had its natural length.
         let [a, b] = lengths.map(|length| if self.bears(s, length) { length } else { natural });
         let near = self.shift(places, strut.at);
@@ -247,7 +224,7 @@ impl<T: Real> Account<'_, T> {
         let whole = lengths.iter().all(|length| self.bears(s, *length)) && (a + b).size() > 0.0;
         let shorter = match far.filter(|_| whole) {
             Some(far) => {
-                let [first, last] = ends.map(|poses| self.apart(poses, s).map(|x| x.value));
+                let [first, last] = ends.map(|poses| self.layout.span(poses, s).map(|x| x.value));
                 let change = [near[0] - far[0], near[1] - far[1]];
                 dot(change, [first[0] + last[0], first[1] + last[1]]) / (a + b)
             }

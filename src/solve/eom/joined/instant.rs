@@ -25,12 +25,11 @@ pub fn at_once<T: Real>(teller: &mut Teller<T>, spin: T, nothing: &[f64]) -> Res
     }
     let smooth = mechanism.respond(&state, nothing)?;
     // What starts from rest slides as it would without friction, if friction lets it.
-    let from_rest =
-        |response: &Response<T>| sliding(mechanism, &state, (mechanism.setting_off(response), 1.0));
+    let from_rest = |response: &Response<T>| sliding(mechanism, &state, (&response.moves[0], 1.0));
     let mut slides = if spin.is_zero() {
         from_rest(&smooth)
     } else {
-        sliding(mechanism, &state, (mechanism.moving(&state), spin.sign()))
+        sliding(mechanism, &state, (&state.rates, spin.sign()))
     };
     if !spin.is_zero() {
         outcome::all_slide(scene, &slides)?;
@@ -50,25 +49,27 @@ pub fn at_once<T: Real>(teller: &mut Teller<T>, spin: T, nothing: &[f64]) -> Res
         slides = more;
     };
     teller.watch(&response, spin.square());
-    let lead = mechanism.leading(&response);
+    let lead = response.lead;
     teller.tell(&state, &response, (spin, lead), &rubs)
 }
 
 /// An instant of what is driven with this angular acceleration: from rest it sets off as it is driven.
 fn driven<T: Real>(teller: &mut Teller<T>, alpha: T, spin: T) -> Result<(), Refusal> {
     let (scene, mechanism) = (teller.scene, teller.mechanism);
-    let way = if spin.is_zero() { alpha / mechanism.ratio() } else { spin };
+    let way = if spin.is_zero() { alpha / mechanism.layout.ratio() } else { spin };
     let state = mechanism.state(T::zero(), true)?;
-    let slides = sliding(mechanism, &state, (mechanism.moving(&state), way.sign()));
+    let slides = sliding(mechanism, &state, (&state.rates, way.sign()));
     outcome::all_slide(scene, &slides)?;
-    let driven = |rubs: &[f64]| mechanism.driven(&state, rubs, (alpha, spin.square()));
+    let driven = |rubs: &[f64]| mechanism.driven(&state, rubs, alpha);
     let rubs = rubbing(mechanism, &slides, spin.square(), &|rubs| Ok(driven(rubs)?.0))?;
-    let (response, moment) = driven(&rubs)?;
+    let (response, couple) = driven(&rubs)?;
+    let (constant, by_square) = couple.ok_or(Refusal::Freedoms(0))?;
+    let moment = constant.balance(by_square * spin.square());
     let arm = mechanism.size();
     let size = beside(moment.size() + teller.pulls() * arm, teller.loads(spin.square()) * arm);
     teller.say_scaled(Quantity::Drive, Owner::Body(mechanism.lead), moment, size);
     teller.tell_powers(&state, spin, Some((moment, size)));
     teller.watch(&response, spin.square());
-    let lead = mechanism.leading(&response);
+    let lead = response.lead;
     teller.tell(&state, &response, (spin, lead), &rubs)
 }

@@ -4,14 +4,12 @@ use crate::num::half::Half;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real};
 use crate::scene::{End, Owner, Quantity, Ray, pose};
-use crate::solve::eom::couple_on;
 use crate::solve::eom::integrate::Event;
 use crate::solve::eom::joined::tell::risen;
-use crate::solve::eom::joined::{Fine, Gain, Motion, Panel, Passes, Stop, Teller, Why};
+use crate::solve::eom::joined::{Fine, Gain, Motion, Panel, Passes, Stop, Teller, Why, no_friction};
 use crate::solve::eom::pendulum::Pendulum;
 use crate::solve::eom::planar::{Mechanism, Response, State};
 use crate::solve::outcome::Refusal;
-use smallvec::SmallVec;
 
 /// How often a bracket about a peak is cut by a third.
 const PEAK: u32 = 80;
@@ -73,20 +71,9 @@ impl<T: Real> Motion<'_, '_, T> {
             let n = self.mechanism.n.in_doubles(scene);
             let mechanism = Mechanism::new(scene, &n).ok()?;
             let factor = mechanism.inertia(&mechanism.state(start, true).ok()?);
-            let onward = Motion {
-                mechanism: &mechanism,
-                start,
-                sense: self.sense,
-                from: Gain { half_square: stop.half_square.f64(), factor },
-                near: 0.0,
-                slides: self.slides.clone(),
-                rubs: self.rubs.clone(),
-                meets: SmallVec::new(),
-                pendulum: None,
-                fine: Fine::of::<f64>(scene, true),
-                steady: false,
-                timed: false,
-            };
+            let from = Gain { half_square: stop.half_square.f64(), factor };
+            let fine = Fine::of::<f64>(scene, true);
+            let onward = Motion { fine, ..Motion::new(&mechanism, start, self.sense, from) };
             let next = onward.stop(stop.way.f64(), None, false, &mut []).ok()?;
             (next.why == Why::Rest).then(|| stop.way + T::of(next.way))
         };
@@ -124,7 +111,12 @@ impl<T: Real> Motion<'_, '_, T> {
             }
             Ok(fallen.is_some())
         };
-        match self.over((T::zero(), self.variable(self.mechanism.horizon())), self.from, false, &mut visit) {
+        match self.over(
+            (T::zero(), self.variable(self.mechanism.layout.horizon())),
+            self.from,
+            false,
+            &mut visit,
+        ) {
             Ok(_) => greatest.scale2(1).root(),
             Err(_) => T::of(f64::INFINITY),
         }
@@ -208,8 +200,7 @@ impl<T: Real> Teller<'_, '_, T> {
         let (constant, by_square) = self.mechanism.turning(response, body);
         let scale = self.terms(state);
         self.say_scaled(Quantity::Alpha, Owner::Body(body), constant.balance(by_square * square), scale);
-        let nothing: SmallVec<[f64; 4]> = self.scene.joints.iter().map(|_| 0.0).collect();
-        self.tell_forces(state, response, square, &nothing);
+        self.tell_forces(state, response, square, &no_friction(self.scene));
         Ok(())
     }
 
@@ -229,7 +220,7 @@ impl<T: Real> Teller<'_, '_, T> {
         let sunk = plant!("eom: height lost by the mass centre", arm) * product;
         let rise = if planar.from == Ray::Up { -sunk } else { sunk };
         self.say_scaled(Quantity::Rise, of, rise, risen(rise.size(), 2.0 * arm.size()));
-        if let Some(moment) = couple_on(self.scene, self.n, body) {
+        if let Some(moment) = self.scene.couple_on(self.n, body) {
             self.say(Quantity::WorkCouple, of, moment.signed(sense) * way);
         }
     }
@@ -255,7 +246,7 @@ impl<T: Real> Teller<'_, '_, T> {
         scale: f64,
     ) {
         let (mechanism, Some(body)) = (self.mechanism, self.pinned) else { return };
-        let ([c, s], sense) = (mechanism.axis(state, body), mechanism.sense(body));
+        let ([c, s], sense) = (state.poses[body].axis, self.scene.sense(body));
         let radial = -(x * c).balance(y * s);
         let mut across = ((y * c).balance(-(x * s)).signed(sense), scale);
         // Of a body whose mass sits at its centre it is a small difference, but not of the moments about that.

@@ -4,11 +4,10 @@ use crate::num::plant::plant;
 use crate::num::{Dd, Real, gauss, root, trig};
 use crate::scene::pose::Obstacle;
 use crate::scene::{Acts, Label, Owner, Quantity, Spot, pose};
-use crate::solve::eom::joined::{BESIDE, Fine, Gain, Motion, PUSHES, SHORT, SHORTEST, Teller, look};
+use crate::solve::eom::SMALL;
+use crate::solve::eom::joined::{BESIDE, Gain, Motion, PUSHES, SHORT, SHORTEST, Teller, look, meets};
 use crate::solve::eom::planar::{Response, State};
-use crate::solve::eom::{SMALL, couple_on};
 use crate::solve::outcome::{Course, Held, Refusal, Said};
-use smallvec::SmallVec;
 
 /// A way on which springs act is looked at in so many places at least.
 const PIECES: f64 = 9.0;
@@ -19,7 +18,6 @@ const INDIFFERENT: f64 = 1e-9;
 /// What accelerations are told of: the response, what adds up on each body to the right and up, and the terms of an angular one.
 type Accelerated<'r, T> = (&'r Response<T>, &'r [[f64; 2]], f64);
 
-/// Sum of the magnitudes.
 fn sizes<T: Real>(parts: &[T]) -> f64 {
     parts.iter().map(|part| part.size()).sum()
 }
@@ -95,10 +93,10 @@ impl<T: Real> Teller<'_, '_, T> {
             let response = mechanism.respond(&state, smooth)?;
             Ok::<_, Refusal>((state, response))
         };
-        let drive = |way: T| Ok(mechanism.leading(&at(way)?.1).0);
+        let drive = |way: T| Ok(at(way)?.1.lead.0);
         let sense = drive(T::zero())?.sign();
         let full = T::constant(Dd::PI.scale2(1));
-        let overruns = |far: T| mechanism.overruns(sense, (far, look()));
+        let overruns = |far: T| mechanism.layout.overruns(sense, (far, look()));
         let found = if sense == 0.0 {
             Some(T::zero())
         } else {
@@ -114,7 +112,7 @@ impl<T: Real> Teller<'_, '_, T> {
         let stiffness = match found {
             Some(way) => {
                 // No difference is taken across a place where a spring is met; just there nothing oscillates evenly.
-                let meets = [1.0, -1.0].into_iter().flat_map(|sense| mechanism.meets(sense, (full, look())));
+                let meets = [1.0, -1.0].into_iter().flat_map(|sense| meets(mechanism, sense, full));
                 let apart = meets.map(|(_, at)| (at - way).abs().scale2(-1));
                 let widest = apart.fold(look(), |one, other| if other.below(one) { other } else { one });
                 let slope = if widest.size() < SHORTEST { T::zero() } else { slope(&drive, way, widest)? };
@@ -133,11 +131,11 @@ impl<T: Real> Teller<'_, '_, T> {
         if let Some((_, obstacle)) = overruns(way.abs()) {
             return Err(Refusal::Beyond(obstacle));
         }
-        self.tell_met(&mechanism.meets(sense, (way.abs(), look())), way.abs())?;
+        self.tell_met(&meets(mechanism, sense, way.abs()), way.abs())?;
         let (of, frequency) = (Owner::Body(mechanism.lead), stiffness.root());
         self.say(Quantity::OmegaSmall, of, frequency);
         self.say(Quantity::PeriodSmall, of, T::constant(Dd::PI.scale2(1)) / frequency);
-        self.say_scaled(Quantity::Phi, of, mechanism.turned(way.abs()), 1.0);
+        self.say_scaled(Quantity::Phi, of, mechanism.layout.turned(way.abs()), 1.0);
         let ((first, _), (state, response)) = (at(T::zero())?, at(way)?);
         for b in 0..scene.bodies.len() {
             self.tell_risen(b, mechanism.height(&first, b), mechanism.height(&state, b));
@@ -155,12 +153,8 @@ impl<T: Real> Teller<'_, '_, T> {
         sense: f64,
         drive: &dyn Fn(T) -> Result<T, Refusal>,
     ) -> Result<Option<T>, Refusal> {
-        let stretched = (0..self.scene.struts.len()).filter(|s| !self.scene.struts[*s].twists());
-        let all = stretched.flat_map(|s| self.mechanism.passes(s, sense, (full, look())));
-        let mut stops: SmallVec<[T; 4]> = all.flatten().collect();
-        stops.sort_unstable_by(|a, b| a.f64().total_cmp(&b.f64()));
-        let look = look::<T>().f64();
-        let stops = stops.into_iter().chain([full]);
+        let met = self.mechanism.layout.meets(true, sense, (full, look()));
+        let (stops, look) = (met.into_iter().map(|(_, way)| way).chain([full]), look::<T>().f64());
         let Some([low, high]) = root::leaves(stops, [look, look, PIECES], false, drive, &mut |_| ())? else {
             return Ok(None);
         };
@@ -173,21 +167,12 @@ impl<T: Real> Teller<'_, '_, T> {
         if way.size() < BESIDE {
             return Ok(());
         }
-        let (mechanism, nothing) = (self.mechanism, self.scene.joints.iter().map(|_| 0.0));
+        let mechanism = self.mechanism;
         let begin = mechanism.state(T::zero(), true)?;
+        let from = Gain { half_square: T::zero(), factor: mechanism.inertia(&begin) };
         let motion = Motion {
-            mechanism,
-            start: T::zero(),
-            sense: way.sign(),
-            from: Gain { half_square: T::zero(), factor: mechanism.inertia(&begin) },
-            near: T::zero(),
-            slides: nothing.clone().collect(),
-            rubs: nothing.collect(),
-            meets: mechanism.meets(way.sign(), (way.abs(), look())),
-            pendulum: None,
-            fine: Fine::of::<T>(self.scene, false),
-            steady: false,
-            timed: false,
+            meets: meets(mechanism, way.sign(), way.abs()),
+            ..Motion::new(mechanism, T::zero(), way.sign(), from)
         };
         let motion = motion.set_off(&begin)?;
         motion.over((T::zero(), motion.variable(way.abs())), motion.from, false, &mut |_, _| Ok(false))?;
@@ -200,7 +185,8 @@ impl<T: Real> Teller<'_, '_, T> {
         for s in (0..self.scene.struts.len()).filter(|s| self.scene.struts[*s].acts != Acts::Both) {
             let first =
                 meets.iter().find(|(strut, _)| *strut == s).map_or(f64::INFINITY, |(_, at)| at.size());
-            let met = if self.mechanism.idles(&begin, s) { first } else { 0.0 };
+            let layout = &self.mechanism.layout;
+            let met = if layout.acts(s, layout.beyond(&begin, s)) { 0.0 } else { first };
             self.road.held.push(Held::Met(s, met, T::leading(|| way.f64())));
         }
         Ok(())
@@ -231,11 +217,6 @@ impl<T: Real> Teller<'_, '_, T> {
         }
     }
 
-    /// Sum of the magnitudes of all impulses that strike.
-    pub fn blows(&self) -> f64 {
-        pose::blows(self.scene, self.n)
-    }
-
     /// What the moments of all forces about one another come to at most, N m.
     pub fn drives(&self) -> f64 {
         let pushes = self.scene.pushes.iter().filter(|p| !p.blow).map(|p| self.n.massive(p.force_n).size());
@@ -245,7 +226,7 @@ impl<T: Real> Teller<'_, '_, T> {
 
     /// The impulses of the joints at a blow. One that can only push and would have to pull lets go, and the other way round.
     pub fn tell_blow(&mut self, state: &State<T>, jumps: &Response<T>) {
-        let all = self.blows() + self.mechanism.gained(jumps);
+        let all = pose::blows(self.scene, self.n) + self.mechanism.gained(jumps);
         self.watch_shares(state, (jumps, T::zero()), &[], true);
         let on = self.mechanism.adding_up(state, (jumps, T::zero()), true);
         for (j, joint) in self.scene.joints.iter().enumerate() {
@@ -279,7 +260,7 @@ impl<T: Real> Teller<'_, '_, T> {
         let turn = |b: usize| (mechanism.spin(state, b) * rate).size();
         let quickest = (0..scene.bodies.len()).map(turn).fold(0.0, f64::max);
         let moves = |b: usize| {
-            let centre: f64 = mechanism.velocity(state, b).iter().map(|v| (*v * rate).size()).sum();
+            let centre: f64 = state.rates[b][..2].iter().map(|v| (*v * rate).size()).sum();
             centre + turn(b) * pose::extent(scene, self.n, b)
         };
         let fastest = (0..scene.bodies.len()).map(moves).fold(0.0, f64::max);
@@ -290,7 +271,7 @@ impl<T: Real> Teller<'_, '_, T> {
         };
         for (b, body) in scene.bodies.iter().enumerate() {
             let of = Owner::Body(b);
-            let [vx, vy] = mechanism.velocity(state, b).map(|v| v * rate);
+            let [vx, vy] = [0, 1].map(|i| state.rates[b][i] * rate);
             let speed = (vx.square() + vy.square()).root();
             let numbers = self.n.bodies[b];
             energy = energy + numbers.mass * speed.square();
@@ -375,7 +356,7 @@ impl<T: Real> Teller<'_, '_, T> {
             // Of a driven body they are told together.
             let waits = drive.is_none()
                 && self.scene.bodies[body].planar.as_ref().is_some_and(|p| p.driven.is_some());
-            let own = couple_on(self.scene, self.n, body);
+            let own = self.scene.couple_on(self.n, body);
             let size = drives.map_or(0.0, |(_, size)| size) + own.map_or(0.0, |own| own.size());
             let moments = own.into_iter().chain(drives.map(|(moment, _)| moment));
             if let Some(moment) = moments.reduce(T::balance).filter(|_| !waits) {
@@ -400,7 +381,7 @@ impl<T: Real> Teller<'_, '_, T> {
             }
             sums
         };
-        let at = mechanism.place(&state.poses, pin);
+        let at = mechanism.layout.spot(pin, &state.poses);
         let [mass, x, y, inertia] = about(at);
         let centre = [at[0] + x / mass, at[1] + y / mass];
         let size = mechanism.size();
