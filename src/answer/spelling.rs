@@ -52,7 +52,10 @@ fn otherwise(text: &str) -> Option<Unit> {
             name if ["lb", "lbs", "pound", "pounds"].iter().any(|p| p.eq_ignore_ascii_case(name)) => {
                 Some("lbf".to_owned())
             }
-            name if mark => apart(name),
+            name if mark => {
+                let written = TOGETHER.iter().find(|(together, _)| *together == name);
+                written.map(|(_, apart)| (*apart).to_owned())
+            }
             _ => None,
         };
         changed |= meant.is_some();
@@ -62,13 +65,24 @@ fn otherwise(text: &str) -> Option<Unit> {
     if changed { Unit::parse(&other).ok() } else { None }
 }
 
-/// Units written together, of which an exponent belongs to the last: `rad s` for `rads`.
-fn apart(name: &str) -> Option<String> {
-    ["s", "m"].iter().find_map(|last| {
-        let before = name.strip_suffix(last).filter(|before| Unit::parse(before).is_ok())?;
-        Some(format!("{before} {last}"))
-    })
-}
+/// Units that are written together, so that an exponent belongs to the last.
+const TOGETHER: [(&str, &str); 15] = [
+    ("ms", "m s"),
+    ("mms", "mm s"),
+    ("cms", "cm s"),
+    ("kms", "km s"),
+    ("rads", "rad s"),
+    ("kgs", "kg s"),
+    ("kgms", "kg m s"),
+    ("kgmm", "kg mm"),
+    ("kgcm", "kg cm"),
+    ("Nm", "N m"),
+    ("kNm", "kN m"),
+    ("Ncm", "N cm"),
+    ("Nmm", "N mm"),
+    ("Nms", "N m s"),
+    ("Js", "J s"),
+];
 
 /// `radians per second squared` as `radians/second^2`; `None` where nothing is spoken.
 fn spoken(text: &str) -> Option<String> {

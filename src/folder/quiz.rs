@@ -432,13 +432,15 @@ fn asked(quiz: &Quiz, rows: &[QuizRow], takers: &Takers, policy: &Policy) -> Ask
     }
     let most = policy.attempts.at_most.map_or(usize::MAX, |n| n as usize);
     let in_order = |(key, mut all): (StudentPart, Vec<Answered>)| {
+        // Where one was submitted, those that never were count for nothing.
+        let is_open = |attempt: usize| quiz.attempts[attempt].submitted.is_empty();
+        if all.iter().any(|(attempt, _, answered)| *answered && !is_open(*attempt)) {
+            all.retain(|(attempt, ..)| !is_open(*attempt));
+        }
         // As answers are ordered: by time if all times can be read, else as they stand.
         if all.iter().all(|(attempt, ..)| times[*attempt].is_some()) {
             all.sort_by_key(|(attempt, ..)| times[*attempt]);
         }
-        // One that was never submitted replaces none: where the first counts it comes last, and else first.
-        let first_counts = policy.attempts.counts == Counts::First;
-        all.sort_by_key(|(attempt, ..)| quiz.attempts[*attempt].submitted.is_empty() == first_counts);
         let last = all.last().map(|(_, s, _)| *s);
         let mut order = Vec::new();
         for (_, s, _) in all.iter().filter(|(_, _, answered)| *answered).take(most) {

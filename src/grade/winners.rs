@@ -164,8 +164,8 @@ impl AttemptWalk<'_> {
         }
         let Some(mut worth) = self.worth((who, what), cell.answer, numbers) else { return CellNote::NONE };
         if open {
-            // It replaces no answer that was submitted and can be read.
-            worth.class = worth.class.min(attempt::UNREADABLE);
+            // It replaces no answer that was submitted.
+            worth.class = attempt::OPEN;
         }
         let index = job.index(who, what);
         let (class, one) = self.ordered(&worth, cell.place(), time, (who, index));

@@ -319,7 +319,9 @@ pub fn sweep(problem: &Problem, first: u64, seeds: u32, set: &str, made: &dyn Fn
             if question.label.quantity.is_word() {
                 count_word(problem, &variant, i, &mut seen.words);
             } else if let Some(entry) = variant.solved.get(question.label) {
-                let value = question.unit.from_si(entry.value());
+                let value = question
+                    .unit
+                    .from_si(problem.cases[variant.case].scene.as_asked(entry.label, entry.value()));
                 let (low, high) = seen.range.unwrap_or((value, value));
                 seen.range = Some((low.min(value), high.max(value)));
                 seen.within = (seen.within.0.min(*within), seen.within.1.max(*within));

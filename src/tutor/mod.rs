@@ -15,7 +15,7 @@ use crate::policy::Hints;
 use crate::problem::maker::{APART, Variant};
 use crate::scene::{End, Label, Num, Quantity};
 use crate::solve::agree;
-use crate::solve::outcome::{Entry, Solved};
+use crate::solve::outcome::Solved;
 use crate::words::Words;
 
 /// Finds the words of a wrong method by its id.
@@ -332,13 +332,15 @@ impl<'a, 'w> Tutor<'a, 'w> {
         did: &str,
     ) -> Option<(String, bool)> {
         let scene = &self.problem.cases.get(self.variant.case)?.scene;
-        let here = self.variant.solved.get(label)?;
+        let (here, now) = (self.variant.solved.get(label)?, self.variant.solved.asked(scene, label));
         let before = self.wrong(method, label);
         let mut odd: Option<(u8, Limit, f64)> = None;
         let mut apart: Option<(u8, Limit, Trend)> = None;
         for (limit, data, solved) in self.limits() {
-            let right = solved.get(label).map(|right| scene.as_asked(label, right.value()));
-            let Some(right) = right.filter(|r| r.is_finite()) else { continue };
+            let right = solved.asked(scene, label);
+            if !right.is_finite() {
+                continue;
+            }
             let at = (method, label);
             let value = misconception::value(self.problem, self.variant.case, (&data, &solved), at);
             let Some(value) = value.map(|v| scene.as_asked(label, v)) else { continue };
@@ -353,7 +355,7 @@ impl<'a, 'w> Tutor<'a, 'w> {
             if oddness > 0 && !self.is_a_key(value) && odd.is_none_or(|(most, ..)| oddness > most) {
                 odd = Some((oddness, limit, if none[1] { 0.0 } else { value }));
             }
-            let trend = Trend::of(here.value(), right, here.scale);
+            let trend = Trend::of(now, right, here.scale);
             let rank = trend.rank(limit);
             if trend != Trend::of(before, value, here.scale) && apart.is_none_or(|(most, ..)| rank > most) {
                 apart = Some((rank, limit, trend));
@@ -393,11 +395,15 @@ impl<'a, 'w> Tutor<'a, 'w> {
 
     /// What the right answer does in the limiting case that tells most, in words.
     fn right_in_a_limit(&self, label: Label) -> Option<String> {
-        let here = self.variant.solved.get(label)?;
+        let scene = &self.problem.cases.get(self.variant.case)?.scene;
+        let (here, now) = (self.variant.solved.get(label)?, self.variant.solved.asked(scene, label));
         let mut best: Option<(u8, Limit, Trend)> = None;
         for (limit, _, solved) in self.limits() {
-            let Some(there) = solved.get(label).map(Entry::value).filter(|x| x.is_finite()) else { continue };
-            let trend = Trend::of(here.value(), there, here.scale);
+            let there = solved.asked(scene, label);
+            if !there.is_finite() {
+                continue;
+            }
+            let trend = Trend::of(now, there, here.scale);
             let rank = trend.rank(limit);
             if best.is_none_or(|(most, ..)| rank > most) {
                 best = Some((rank, limit, trend));
@@ -460,7 +466,7 @@ const fn group(quantity: Quantity) -> &'static str {
         Q::FrictionIfRolled | Q::MuRequired | Q::KBound => "rolling",
         Q::T => "time",
         Q::Tension => "tension",
-        Q::RimForce => "pin",
+        Q::RimForce => "rim",
         Q::CordTravel | Q::Displacement | Q::Distance | Q::Phi | Q::Angle | Q::Rise | Q::DTurn => "way",
         Q::SlipDistance | Q::SlipSpeed => "slip",
         Q::Heat | Q::WorkPull | Q::PowerPull | Q::WorkCouple | Q::PowerCouple | Q::Work => "work",

@@ -385,6 +385,8 @@ const TABLE: &[(&str, &str, &str, &str)] = &[
     ("4.5 rads^-2", "alpha", "right", "the unit is read as rad/s^2"),
     ("20.8 kgms^-1", "impulse", "right", ""),
     ("62.6 kgms^-2", "friction", "right", ""),
+    ("62.6 Nmm^-1", "friction", "wrong dimension", ""),
+    ("0.25 mm^-1", "mu", "wrong dimension", ""),
     ("1.25 ms", "v", "wrong dimension", "a millisecond"),
     ("4.2 kn", "force", "right", "the unit is read as kN"),
     ("4.816 r/s", "omega", "unreadable", "may be rad/s or rev/s"),
@@ -865,12 +867,12 @@ fn an_id_that_differs_in_case_alone_counts_where_it_is_unique() {
         9,,'=x,1,omega,30.3,right,1,1,within the tolerance,,,,
         ");
     assert_eq!(graded.respelled, 4);
+    let options = Options { threads: 2, ..Options::default() };
+    assert_eq!(run_with(text.as_bytes(), &table, &options).unwrap().0, out);
     // As file names and exports of some systems have it: the mark of its own behind the letter.
     let marks = "student,problem,part,answer\nO\u{308}Z1,1,omega,30.3\no\u{308}z1,2,v,1.25\n";
     let (out, graded) = run_with(marks.as_bytes(), &table, &Options::default()).unwrap();
     assert_eq!((out.matches(",right,").count(), graded.respelled), (2, 2), "{out}");
-    let options = Options { threads: 2, ..Options::default() };
-    assert_eq!(run_with(text.as_bytes(), &table, &options).unwrap().0, out);
 }
 
 /// Headers had to be a part and nothing else; form services put a title before it and columns of their own beside it.

@@ -176,11 +176,14 @@ fn a_moodle_quiz_over_a_pool() {
     let open = format!("{}\n", open.replace(&room.place("key v0002 2 v"), "1"));
     let last = format!("{}\n{open}", quiz.trim_end());
     let first = [&quiz[..begin], &open, &quiz[begin..]].concat();
+    let earlier = quiz.find("Yusuf,Amina,0017,amina@example.org,Finished,\"1 March").unwrap();
+    let (one, rest) = (&quiz[earlier..begin], &quiz[begin + second.len()..]);
+    let newest = [&quiz[..earlier], &open, second.trim_end(), "\n", one, rest].concat();
     // The other ways to choose among attempts.
     for (attempts, omega, v) in
         [("first", "right 1", "wrong 0"), ("best", "right 1", "right 2"), ("last", "wrong 0", "right 2")]
     {
-        for text in [&*quiz, &last, &first] {
+        for text in [&*quiz, &last, &first, &newest] {
             room.graded(text.as_bytes(), "g", &["--attempts", attempts]);
             assert_eq!((of("1.omega"), of("2.v")), (omega.to_owned(), v.to_owned()), "{attempts}");
         }

@@ -82,6 +82,7 @@ fn faults(markdown: &str, problem: &Problem, variant: &Variant, words: &Words) -
             }
         }
     }
+    let scene = &problem.cases[variant.case].scene;
     for q in &problem.questions {
         let row = format!("`1.{}` ", q.id);
         let all = markdown.lines().find(|l| l.starts_with("> ")).unwrap_or_default();
@@ -92,7 +93,10 @@ fn faults(markdown: &str, problem: &Problem, variant: &Variant, words: &Words) -
         };
         let right = match variant.solved.get(q.label) {
             Some(entry) => {
-                let digits = shown::significant(q.unit.from_si(entry.value()), usize::from(q.figures));
+                let digits = shown::significant(
+                    q.unit.from_si(scene.as_asked(q.label, entry.value())),
+                    usize::from(q.figures),
+                );
                 q.unit.tex_with(&words.tex_number(&digits))
             }
             None => {

@@ -30,7 +30,7 @@ fn hold(problem: &Problem, data: &[f64], expected: &[(&str, f64)]) -> Solved {
         let label = labels::named(scene, name).unwrap_or_else(|e| panic!("{name}: {e:?}"));
         let entry = solved.get(label).unwrap_or_else(|| panic!("{}: no {name}", problem.id));
         for (road, found) in [("eom", entry.eom), ("energy", entry.energy)] {
-            let Some(found) = found else { continue };
+            let Some(found) = found.map(|found| scene.as_asked(label, found)) else { continue };
             let size = value.abs().max(entry.scale).max(1e-9);
             assert!(
                 (found - value).abs() <= 1e-9 * size,

@@ -35,7 +35,7 @@ fn told(bank: &Bank, names: &[&str]) -> Vec<f64> {
         let label = labels::named(scene, name).unwrap_or_else(|e| panic!("{name}: {e:?}"));
         let entry = solved.get(label).unwrap_or_else(|| panic!("no {name}"));
         assert!(entry.eom.is_some() && entry.energy.is_some(), "{name}");
-        entry.value()
+        scene.as_asked(label, entry.value())
     };
     names.iter().map(of).collect()
 }
