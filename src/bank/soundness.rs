@@ -432,8 +432,8 @@ pub fn instant(scene: &Scene, draws: &[(String, Option<Draw>)], node: &Node, fau
     }
 }
 
-/// A round hole does not reach beyond the round body out of which it is cut, whatever is drawn: told where it does at both ends of all
-/// ranges.
+/// A round hole does not reach beyond the round body out of which it is cut, whatever is drawn: told where
+/// it would even lie farthest in, be smallest and the body largest.
 pub fn holes(scene: &Scene, data: &[Datum], draws: &[Option<Draw>], node: &Node, faults: &Faults) {
     let values = [0, 1].map(|end| {
         let value = |(datum, draw): (&Datum, &Option<Draw>)| {
@@ -451,7 +451,7 @@ pub fn holes(scene: &Scene, data: &[Datum], draws: &[Option<Draw>], node: &Node,
         spots.sort_by_key(|spot| scene.bodies[spot.body].removed);
         let [whole, hole] = spots[..] else { continue };
         let (Some(outer), Some(own)) = (round(whole.body), round(hole.body)) else { continue };
-        let beyond = |values: &Vec<f64>| {
+        let sizes = |values: &Vec<f64>| {
             let of = |num: Num| scene.value(num, values);
             let place = |place: Place| match place {
                 Place::At(n) => of(n),
@@ -464,11 +464,13 @@ pub fn holes(scene: &Scene, data: &[Datum], draws: &[Option<Draw>], node: &Node,
                 Some((x * x + y * y).sqrt())
             };
             // How a hole is turned that is not held at its centre does not matter here.
-            let apart = off(whole).zip(off(hole)).map(|(whole, hole)| whole - hole);
-            apart.is_some_and(|apart| apart + of(own) > of(outer) * (1.0 + 1e-9))
+            let apart = off(whole).zip(off(hole)).map_or(f64::NAN, |(whole, hole)| whole - hole);
+            [apart + of(own), of(outer)]
         };
+        let [low, high] = values.each_ref().map(sizes);
+        let beyond = low[0].min(high[0]) > low[1].max(high[1]) * (1.0 + 1e-9);
         let [whole, hole] = [whole, hole].map(|spot| &scene.bodies[spot.body]);
-        if hole.removed && !whole.removed && values.iter().all(beyond) {
+        if hole.removed && !whole.removed && beyond {
             faults.hint(
                 part(node, "joints"),
                 format!("`{}` reaches beyond `{}`, out of which it is cut", hole.name, whole.name),

@@ -1,5 +1,6 @@
 //! The files of answers of a whole class at once: a folder of them, or the archive that a learning platform gives of an
 //! assignment, joined to one file of submissions. What is no file of answers is named and stops nothing.
+use crate::answer::roster::folded;
 use crate::answer::submissions;
 use crate::csv_field::{self, unguarded};
 use crate::finding::Finding;
@@ -126,27 +127,24 @@ pub fn joined(path: &Path, set: &str) -> Result<JoinedFiles, Finding> {
 /// When a file of answers was saved, its name and its rows.
 type ReadFile = (String, String, Vec<[String; 4]>);
 
-/// Whose file it is: what a platform calls the folder of a student, or else the name of the file, which a browser may have numbered.
+/// Whose file it is, as far as its name tells: without the number that a browser gives a second file of one name.
 fn owner(name: &str) -> &str {
-    let (folder, file) = name.rsplit_once(['/', '\\']).unwrap_or(("", name));
-    if folder.is_empty() {
-        file.split_once(" (").map_or(file, |(file, _)| file).trim_end_matches(".csv")
-    } else {
-        folder
-    }
+    let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+    let number = |n: &str| n.strip_suffix(')').is_some_and(|n| n.bytes().all(|b| b.is_ascii_digit()));
+    stem.rsplit_once('(').filter(|(_, n)| number(n)).map_or(stem, |(stem, _)| stem).trim_end()
 }
 
 /// See [`JoinedFiles::by_several`].
 fn by_several(read: &[ReadFile]) -> Vec<(String, String)> {
-    let mut files: BTreeMap<&str, BTreeMap<&str, &str>> = BTreeMap::new();
+    let mut files: BTreeMap<String, BTreeMap<&str, &str>> = BTreeMap::new();
     for (_, name, rows) in read {
         for student in rows.iter().map(|row| row[0].trim()).filter(|student| !student.is_empty()) {
-            files.entry(student).or_default().insert(owner(name), name);
+            files.entry(folded(student)).or_default().insert(owner(name), name);
         }
     }
     let several = files.into_iter().filter(|(_, files)| files.len() > 1);
     let names = |files: BTreeMap<&str, &str>| files.into_values().collect::<Vec<_>>().join(", ");
-    several.map(|(student, files)| (student.to_owned(), names(files))).collect()
+    several.map(|(student, files)| (student, names(files))).collect()
 }
 
 /// The students whose answers a file holds that is named for another one, `answers-ID.csv`.

@@ -74,8 +74,8 @@ pub(crate) struct Try {
     pub undated: bool,
     /// Only the day is known, which is enough.
     pub whole_day: bool,
-    /// Its time cannot be read; is one with slashes (`03/04`) whose day and month are uncertain; such a one with points (`03.04.`).
-    pub untimed: [bool; 3],
+    /// Its time cannot be read; its day and month are uncertain (`03/04`).
+    pub untimed: [bool; 2],
 }
 
 /// The attempts of a student at a part in the order of time, as far as they can matter: the first and the last one; with a limit the
@@ -85,7 +85,7 @@ pub(crate) struct Ordered {
     /// 0: none or blank.
     pub class: u8,
     /// As of one attempt, of any of them.
-    untimed: [bool; 3],
+    untimed: [bool; 2],
     count: u32,
     kept: Vec<Try>,
     last: Try,
@@ -115,7 +115,7 @@ impl Ordered {
     /// Nothing.
     pub const NONE: Ordered = Ordered {
         class: 0,
-        untimed: [false; 3],
+        untimed: [false; 2],
         count: 0,
         kept: Vec::new(),
         last: Try {
@@ -125,7 +125,7 @@ impl Ordered {
             late: 1.0,
             undated: false,
             whole_day: false,
-            untimed: [false; 3],
+            untimed: [false; 2],
         },
         rest: None,
     };
@@ -144,13 +144,13 @@ impl Ordered {
         self.note(one.untimed);
         self.keep(one, depth);
     }
-    fn note(&mut self, untimed: [bool; 3]) {
+    fn note(&mut self, untimed: [bool; 2]) {
         self.untimed.iter_mut().zip(untimed).for_each(|(mine, other)| *mine |= other);
     }
     /// Are the times of this cell of no use?
     pub fn is_untimed(&self, evidence: Evidence) -> bool {
-        let [unread, slashed, dotted] = self.untimed;
-        unread || (slashed && !evidence.decides(false)) || (dotted && !evidence.decides(true))
+        let [unread, uncertain] = self.untimed;
+        unread || (uncertain && !evidence.decides())
     }
     fn keep(&mut self, one: Try, depth: usize) {
         let at = self.kept.partition_point(|k| k.key < one.key);
@@ -261,7 +261,7 @@ mod tests {
 
     fn one(time: i64, share: f64) -> Try {
         let key = (time, time.unsigned_abs());
-        let untimed = [false; 3];
+        let untimed = [false; 2];
         Try { key, number: share, share, late: 1.0, undated: false, whole_day: false, untimed }
     }
 

@@ -155,7 +155,7 @@ fn need_unread_setting(open: Open<'_>, job: &GradingJob, winners: &[Winner]) -> 
                 return;
             }
             let text = String::from_utf8_lossy(record.get(field).unwrap_or_default()).trim().to_owned();
-            if rules.policy.zone.read(&text).is_some_and(|m| m.uncertain.is_some()) {
+            if rules.policy.zone.read(&text).is_some_and(|m| m.uncertain) {
                 uncertain.get_or_insert(text.clone());
             }
             let doubt = rules.policy.zone.doubt(&text).map_or_else(String::new, |d| format!(", {d}"));

@@ -182,14 +182,13 @@ impl AttemptWalk<'_> {
     fn ordered(&self, worth: &Worth, at: u64, time: Option<Moment>, (who, index): (u32, usize)) -> (u8, Try) {
         let Worth { class, number, share, .. } = *worth;
         let Some(Times { evidence, untimed }) = self.times else {
-            let uncertain = time.and_then(|t| t.uncertain);
             let unread = self.job.layout.submitted.is_some() && time.is_none();
-            let untimed = [unread, uncertain == Some(false), uncertain == Some(true)];
+            let untimed = [unread, time.is_some_and(|t| t.uncertain)];
             let (key, late, undated, whole_day) = ((0, at), 1.0, false, false);
             return (class, Try { key, number, share, late, undated, whole_day, untimed });
         };
         let (rules, who) = (self.job.rules, who as usize);
-        let read = time.filter(|m| m.uncertain.is_none_or(|dotted| evidence.decides(dotted)));
+        let read = time.filter(|m| !m.uncertain || evidence.decides());
         let time = read.map(|m| m.micros[evidence.choice()]);
         let whole_day = read.is_some_and(|m| m.whole_day);
         // A date alone is enough where every hour of the day costs the same.
@@ -200,7 +199,7 @@ impl AttemptWalk<'_> {
         };
         let closed = late.is_none() && class == attempt::READABLE;
         let key = (if untimed[index] { 0 } else { time.unwrap_or(0) }, at);
-        let (late, undated, untimed) = (late.unwrap_or(0.0), known.is_none(), [false; 3]);
+        let (late, undated, untimed) = (late.unwrap_or(0.0), known.is_none(), [false; 2]);
         let one = Try { key, number, share, late, undated, whole_day, untimed };
         (if closed { attempt::CLOSED } else { class }, one)
     }

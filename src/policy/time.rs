@@ -27,13 +27,9 @@ impl Evidence {
     pub fn choice(self) -> usize {
         usize::from(self.month_first && !self.day_first)
     }
-    /// Does the column decide the order of an uncertain date? Points stand after the day unless a date denies it.
-    pub fn decides(self, dotted: bool) -> bool {
-        match (self.day_first, self.month_first) {
-            (true, true) => false,
-            (false, false) => dotted,
-            _ => true,
-        }
+    /// Does the column decide the order of an uncertain date?
+    pub fn decides(self) -> bool {
+        self.day_first != self.month_first
     }
 }
 
@@ -50,8 +46,8 @@ pub struct Moment {
     pub clashes: bool,
     /// The zone is written as a word, and only a place knows what it means (`CST`, `BST`), or knows better.
     pub word: Option<ZoneWord>,
-    /// The order of day and month is uncertain, and whether points stand between them.
-    pub uncertain: Option<bool>,
+    /// The order of day and month is uncertain.
+    pub uncertain: bool,
     /// What the date proves for others.
     pub evidence: Evidence,
 }
@@ -213,12 +209,12 @@ fn dated(text: &str) -> Option<Moment> {
     }
     let year = if length == 2 { full_year(c) } else { c };
     let (day_first, month_first) = (moment(year, b, a), moment(year, a, b));
-    // A date with points has the day first in any case, and tells nothing of others.
     let tells = |first, second| separator != '.' && first > 12 && second <= 12;
     let evidence = Evidence { day_first: tells(a, b), month_first: tells(b, a) };
     let [x, y] = [day_first.or(month_first)?, month_first.or(day_first)?].map(|one| one.micros[0]);
-    let uncertain = (x != y).then_some(separator == '.');
-    Some(Moment { micros: [x, y], uncertain, evidence, whole_day, ..clock })
+    // A date with points has the day first, whatever others have, and tells nothing of them.
+    let [x, y] = if separator == '.' { [x, x] } else { [x, y] };
+    Some(Moment { micros: [x, y], uncertain: x != y, evidence, whole_day, ..clock })
 }
 
 /// A year of two digits: 1970 to 2069.
@@ -471,7 +467,7 @@ mod tests {
             "1774447530.0",
             "1774447530000",
         ] {
-            assert_eq!(parse(text).map(|m| (m.micros, m.uncertain)), Some((want, None)), "{text}");
+            assert_eq!(parse(text).map(|m| (m.micros, m.uncertain)), Some((want, false)), "{text}");
         }
         for odd in [
             "13/13/2026 10:00",
@@ -520,7 +516,7 @@ mod tests {
             assert_eq!(zone.doubt(text).map(|d| d.to_string()).as_deref(), doubt, "{text}");
         }
         assert_eq!(zone.read("Monday, 29 March 2026, 3:30 PM"), None);
-        assert_eq!(parse("3-4-2026 10:00").map(|m| m.uncertain), Some(Some(false)));
+        assert_eq!(parse("3-4-2026 10:00").map(|m| m.uncertain), Some(true));
     }
 
     #[test]
@@ -530,14 +526,18 @@ mod tests {
         // In a list of both, this one tells nothing of those with slashes.
         assert_eq!(parse("25.3.2026").unwrap().evidence, Evidence::default());
         let uncertain = parse("3/4/2026").unwrap();
-        assert_eq!((uncertain.uncertain, uncertain.evidence), (Some(false), Evidence::default()));
+        assert_eq!((uncertain.uncertain, uncertain.evidence), (true, Evidence::default()));
         assert_eq!(Some(uncertain.micros[day.choice()]), parse("2026-04-03").map(|m| m.micros[0]));
         assert_eq!(Some(uncertain.micros[month.choice()]), parse("2026-03-04").map(|m| m.micros[0]));
         let mut both = day;
         both.join(month);
         let none = Evidence::default();
-        assert_eq!([day, month, both, none].map(|e| e.decides(false)), [true, true, false, false]);
-        assert_eq!([day, month, both, none].map(|e| e.decides(true)), [true, true, false, true]);
+        assert_eq!([day, month, both, none].map(Evidence::decides), [true, true, false, false]);
+        let dotted = parse("3.4.2026").unwrap();
+        assert_eq!(
+            (dotted.uncertain, Some(dotted.micros[1])),
+            (false, parse("2026-04-03").map(|m| m.micros[0]))
+        );
     }
 
     /// Words for zones were refused before, and a wrong offset moves a deadline: the fixed ones are the database's own.

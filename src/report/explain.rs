@@ -297,7 +297,7 @@ impl ExplainedMarks<'_> {
     fn late(&self, row: &AnswerRow) -> Value {
         let (policy, zone, student) = (self.policy, &self.policy.zone, &self.student.student);
         let (due, closes) = (policy.due_for(student), policy.closes_for(student));
-        let certain = |m: &Moment| m.uncertain.is_none_or(|dotted| self.evidence.decides(dotted));
+        let certain = |m: &Moment| !m.uncertain || self.evidence.decides();
         let limits = (due.unwrap_or(i64::MAX), closes.unwrap_or(i64::MAX));
         let choice = self.evidence.choice();
         let known =

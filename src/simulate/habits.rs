@@ -306,7 +306,7 @@ fn times(node: &Node, faults: &Faults) -> Option<HandInTimes> {
     let minute = |node: Option<&Node>| {
         let node = node?;
         let found = time::parse(node.text().unwrap_or("")).filter(|m| !(m.whole_day || m.zoned));
-        let found = found.filter(|m| m.uncertain.is_none()).map(|m| m.micros[0].div_euclid(MINUTE));
+        let found = found.filter(|m| !m.uncertain).map(|m| m.micros[0].div_euclid(MINUTE));
         found.or_else(|| faults.expected(node, "a time", "such as 2026-03-06 18:00"))
     };
     let opens = minute(fields.need("opens", "2026-03-02 08:00"));

@@ -259,8 +259,13 @@ impl Plane<'_, '_> {
         joints.sort_by_key(|j| held(&scene.joints[*j].kind));
         let spots: Vec<Spot> = joints.iter().flat_map(|j| scene.joints[*j].kind.spots()).collect();
         let mut all = Vec::new();
-        for spot in spots {
-            let name = scene.point_name(spot).map_or("P", |names| names.1);
+        for spot in spots.iter().copied() {
+            let own = scene.point_name(spot).map_or("P", |names| names.1);
+            // Points of several bodies may bear one letter.
+            let shared = spots.iter().any(|other| {
+                other.body != spot.body && scene.point_name(*other).is_some_and(|names| names.1 == own)
+            });
+            let name = if shared { tagged(own, &self.bodies[spot.body].tag) } else { own.to_owned() };
             let place = self.spot(spot);
             all.push((self.seen(&place), format!("${name}$")));
         }

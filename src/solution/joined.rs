@@ -79,13 +79,14 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             return;
         }
         self.say(if self.scene.drifts().is_some() { "joined.idea_drifts" } else { "joined.idea_one" }, &[]);
-        let kinds: [(&str, IsKind); 7] = [
+        let kinds: [(&str, IsKind); 8] = [
             ("pin", |k| matches!(k, JointKind::Pin { .. })),
             ("hinge", |k| matches!(k, JointKind::Hinge { .. })),
             ("across", |k| matches!(k, JointKind::Guide { .. } | JointKind::Contact { rolls: false, .. })),
             ("roll", |k| matches!(k, JointKind::Contact { rolls: true, teeth: false, .. })),
             ("teeth", |k| matches!(k, JointKind::Contact { teeth: true, .. })),
-            ("cord", |k| matches!(k, JointKind::Cord { rod: false, .. })),
+            ("cord", |k| matches!(k, JointKind::Cord { rod: false, beyond: None, .. })),
+            ("cord_over", |k| matches!(k, JointKind::Cord { beyond: Some(_), .. })),
             ("rod", |k| matches!(k, JointKind::Cord { rod: true, .. })),
         ];
         let kinds = kinds.into_iter().filter(|(_, is)| self.joint(*is));

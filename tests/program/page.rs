@@ -640,6 +640,12 @@ fn no_students_file_is_lost_for_its_form() {
     assert_eq!(exit, Exit::Fine, "{err}");
     assert!(told.contains("from 3 files"), "{told}");
     assert!(told.contains("look at: ../answers-0031.csv holds answers of 0023"), "{told}");
+    assert!(
+        told.contains("look at: answers of 0023 stand in files of several people: x\\answers-0023.csv, ../answers-0031.csv")
+            || told.contains("look at: answers of 0023 stand in files of several people: ../answers-0031.csv, x\\answers-0023.csv"),
+        "{told}"
+    );
+    assert!(!told.contains("answers of 0017 stand"), "{told}");
     assert!(told.contains("passed over: more.zip is an archive itself"), "{told}");
     let answers = std::fs::read_to_string(Path::new(&out).join("answers.csv")).unwrap();
     assert!(
