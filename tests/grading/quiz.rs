@@ -173,6 +173,9 @@ fn a_moodle_quiz_over_a_pool() {
     let second =
         &quiz[begin..][..1 + quiz[begin..].find("\"\n").or_else(|| quiz[begin..].find("-\n")).unwrap()];
     let open = second.replacen("Finished", "In progress", 1).replacen("3 March 2026  9:20 AM", "-", 1);
+    let right =
+        format!("{}\n", open.replace(&room.place("off v0005 1 omega"), &room.place("key v0005 1 omega")));
+    let right = format!("{}\n{right}", quiz.trim_end());
     let open = format!("{}\n", open.replace(&room.place("key v0002 2 v"), "1"));
     let last = format!("{}\n{open}", quiz.trim_end());
     let first = [&quiz[..begin], &open, &quiz[begin..]].concat();
@@ -183,7 +186,7 @@ fn a_moodle_quiz_over_a_pool() {
     for (attempts, omega, v) in
         [("first", "right 1", "wrong 0"), ("best", "right 1", "right 2"), ("last", "wrong 0", "right 2")]
     {
-        for text in [&*quiz, &last, &first, &newest] {
+        for text in [&*quiz, &last, &first, &newest, &right] {
             room.graded(text.as_bytes(), "g", &["--attempts", attempts]);
             assert_eq!((of("1.omega"), of("2.v")), (omega.to_owned(), v.to_owned()), "{attempts}");
         }
