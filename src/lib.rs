@@ -115,8 +115,8 @@
 //! [`picture`].
 //! A new joint in the plane: a variant in [`scene::planar`], how it places a body in [`scene::pose`], its rows in
 //! `solve/eom/planar.rs` and its virtual motion in `solve/energy/joined.rs`, its words in `bank/scene/planar.rs`.
-//! A new law of a spring in the plane: [`scene::planar::Acts`] or [`scene::planar::StrutEnd`], its force in `solve/eom/planar.rs` and its
-//! work in `solve/energy/joined.rs`, its words in `bank/scene/planar.rs`.
+//! A new law of a spring in the plane: [`scene::planar::Acts`] or [`scene::planar::StrutEnd`], where it lies and when it acts in
+//! `scene/pose/springs.rs`, its force in `solve/eom/planar.rs` and its work in `solve/energy/joined.rs`, its words in `bank/scene/planar.rs`.
 //! Another word for what can be said already: a rule in `bank/synonyms.rs`.
 //! A new number of a scene: its unit and its rules in [`scene::given`]. A new tie: a variant in [`scene::link`], its rows in `solve/eom/equations.rs`, its mode and its work in `solve/energy`, its
 //! words in `bank/scene/ties.rs`, its quantities in `bank/labels.rs`. A new end of a motion: a row in `bank/scene/end.rs`. A new language: its folder in `templates/`, a line in [`words`], its texts in [`template`] and `bank/built_in.rs`.

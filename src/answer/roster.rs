@@ -88,8 +88,8 @@ pub fn roster(bytes: &[u8]) -> Result<Vec<(String, String)>, Findings> {
     findings.into_result(all)
 }
 
-/// An accent may be coded with its letter, or as a mark of its own behind it: nobody sees which.
-fn composed(id: &str) -> String {
+/// An id with each accent coded with its letter: it may be a mark of its own behind it, and nobody sees which.
+pub fn composed(id: &str) -> String {
     id.nfc().collect()
 }
 

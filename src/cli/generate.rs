@@ -1,4 +1,5 @@
 //! `slipstick generate`: bank and roster to a folder with a sheet for each student.
+use crate::answer::roster::composed;
 use crate::cli::tell::{Exit, Io};
 use crate::cli::{args, tell};
 use crate::finding::Findings;
@@ -70,8 +71,9 @@ pub fn run(args: &args::GenerateArgs, io: &mut Io) -> Result<Exit, Findings> {
     };
     if let Some(set) = &old {
         set::same_set(&plan, set, &args.out)?;
-        let known: rustc_hash::FxHashSet<&str> = set.students.iter().map(|s| s.student.as_str()).collect();
-        members.retain(|m| !known.contains(m.student.as_str()));
+        let known: rustc_hash::FxHashSet<String> =
+            set.students.iter().map(|s| composed(&s.student)).collect();
+        members.retain(|m| !known.contains(&composed(&m.student)));
         deal::repair(&plan, set, &args.out, members.is_empty())?;
         if members.is_empty() {
             io.line("Nobody to add: every student of the roster has a sheet already.");

@@ -189,13 +189,17 @@ fn clean(text: &str) -> String {
 
 impl Takers {
     fn new(quiz: &Quiz, set: &StoredSet) -> Self {
-        let small = |s: &StoredStudent| (roster::folded(&s.student), s.student.clone());
-        let listed: HashMap<String, String> = set.students.iter().map(small).collect();
+        // Of ids that look alike none is taken for another.
+        let mut listed: HashMap<String, Option<&str>> = HashMap::new();
+        for student in &set.students {
+            let known = listed.entry(roster::folded(&student.student));
+            known.and_modify(|of| *of = None).or_insert(Some(&student.student));
+        }
         let exact: BTreeSet<&str> = set.students.iter().map(|s| s.student.as_str()).collect();
         let on_roster = |attempt: &QuizAttempt| {
             let ids = || attempt.ids.iter().map(|id| id.trim()).filter(|id| !id.is_empty());
             let same = ids().find(|id| exact.contains(id)).map(str::to_owned);
-            same.or_else(|| ids().find_map(|id| listed.get(&roster::folded(id)).cloned()))
+            same.or_else(|| ids().find_map(|id| (*listed.get(&roster::folded(id))?).map(str::to_owned)))
         };
         let known: Vec<Option<String>> = quiz.attempts.iter().map(on_roster).collect();
         // One kind of id for all, where there is one: a platform looks all up by the same.
@@ -213,9 +217,11 @@ impl Takers {
         };
         let mut spelled: HashMap<String, String> = HashMap::new();
         let who = quiz.attempts.iter().zip(&known).map(|(attempt, known)| {
-            let id = known.clone().unwrap_or_else(|| id(attempt));
-            // An address may stand in capitals once.
-            let id = spelled.entry(id.to_lowercase()).or_insert(id).clone();
+            let id = known.clone().unwrap_or_else(|| {
+                // An address may stand in capitals once.
+                let id = id(attempt);
+                spelled.entry(roster::folded(&id)).or_insert(id).clone()
+            });
             (id, clean(&attempt.name))
         });
         let who: Vec<(String, String)> = who.collect();
@@ -235,7 +241,7 @@ impl Takers {
     fn moodle(&self, quiz: &Quiz) -> Option<&'static str> {
         let listed = |id: &str| !self.on_roster || !self.strangers.contains(id);
         let kind = |((id, _), attempt): (&(String, String), &QuizAttempt)| {
-            attempt.ids.iter().position(|own| clean(own).to_lowercase() == id.to_lowercase())
+            attempt.ids.iter().position(|own| roster::folded(&clean(own)) == roster::folded(id))
         };
         let all = self.who.iter().zip(&quiz.attempts).filter(|((id, _), _)| listed(id));
         let kinds: BTreeSet<Option<usize>> = all.map(kind).collect();

@@ -15,14 +15,14 @@ pub(crate) fn line_of(place: u64) -> u64 {
     place >> COLUMN_BITS
 }
 
-/// Class of a cell of an attempt that was never submitted. Of the cells of a student at a part only those of the highest class count.
-pub(crate) const OPEN: u8 = 1;
+/// Classes of a cell of an attempt that was never submitted, of one that cannot be read and of others. Of the cells of a student at a part only those of the highest class count.
+pub(crate) const OPEN: [u8; 2] = [1, 2];
 /// Class of a cell that cannot be read.
-pub(crate) const UNREADABLE: u8 = 2;
+pub(crate) const UNREADABLE: u8 = 3;
 /// Class of one that can be read, but was handed in after the closing date.
-pub(crate) const CLOSED: u8 = 3;
+pub(crate) const CLOSED: u8 = 4;
 /// Class of one that can be read.
-pub(crate) const READABLE: u8 = 4;
+pub(crate) const READABLE: u8 = 5;
 
 /// The attempt that counts.
 #[derive(Debug, Clone, Copy)]

@@ -9,7 +9,7 @@ pub(crate) struct Belongs {
     pub who: Option<u32>,
     /// The column of the table, if known.
     pub what: Option<u32>,
-    /// The id differs in upper and lower case from that of the roster.
+    /// The id differs from that of the roster, as [`crate::answer::roster::folded`] allows.
     pub respelled: bool,
     /// It was given to another variant than the one that counts.
     pub of_another: bool,
@@ -42,7 +42,7 @@ impl Finder {
         Belongs { who, what, respelled, of_another }
     }
 
-    /// The number of a student, and whether upper and lower case had to be forgiven.
+    /// The number of a student, and whether the spelling of the id had to be forgiven.
     #[inline]
     fn student(&mut self, table: &KeyTable, id: &[u8]) -> Option<(u32, bool)> {
         if let Some((last, number)) = &self.student

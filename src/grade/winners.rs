@@ -165,7 +165,7 @@ impl AttemptWalk<'_> {
         let Some(mut worth) = self.worth((who, what), cell.answer, numbers) else { return CellNote::NONE };
         if open {
             // It replaces no answer that was submitted.
-            worth.class = attempt::OPEN;
+            worth.class = attempt::OPEN[usize::from(worth.class == attempt::READABLE)];
         }
         let index = job.index(who, what);
         let (class, one) = self.ordered(&worth, cell.place(), time, (who, index));

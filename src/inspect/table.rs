@@ -5,7 +5,7 @@ use crate::inspect::data::{fits, printed};
 use crate::inspect::sentences;
 use crate::num::shown;
 use crate::problem::maker::Unsatisfiable;
-use crate::scene::{Label, Quantity};
+use crate::scene::{Label, Quantity, Scene};
 use crate::sheet::terminal;
 use crate::solve::ladder::{self, Taken, Wish};
 use crate::solve::method::Rung;
@@ -106,8 +106,8 @@ pub fn json(problem: &Problem, case: usize, solved: &Solved, taken: &Taken) -> S
         let value = match solved.word(question.label) {
             Some(word) => string(word.as_str()),
             None => {
-                let asked = |e: &Entry| question.unit.from_si(scene.as_asked(e.label, e.value()));
-                number(solved.get(question.label).map(asked))
+                let told = |e: &Entry| question.unit.from_si(Scene::as_told(e.label, e.value()));
+                number(solved.get(question.label).map(told))
             }
         };
         let (id, quantity) = (string(&question.id), string(&scene.name_of(question.label)));
@@ -162,9 +162,9 @@ fn rows<'s>(problem: &'s Problem, case: usize, solved: &'s Solved, taken: &Taken
             name: scene.name_of(e.label),
             unit: scene.unit(e.label),
             word: None,
-            value: Some(scene.as_asked(e.label, e.value())),
-            eom: e.eom.map(|value| scene.as_asked(e.label, value)),
-            energy: e.energy.map(|value| scene.as_asked(e.label, value)),
+            value: Some(Scene::as_told(e.label, e.value())),
+            eom: e.eom.map(|value| Scene::as_told(e.label, value)),
+            energy: e.energy.map(|value| Scene::as_told(e.label, value)),
             gap: e.gap(),
             cond: Some(e.cond),
             bound: e.bound,

@@ -121,8 +121,8 @@ fn entry(problem: &Problem, question: &Question, scene: &Scene, variant: &Varian
     }
     let (value, scale) = match variant.solved.get(question.label) {
         Some(e) => {
-            key.eom = e.eom.map(|value| scene.as_asked(e.label, value));
-            key.energy = e.energy.map(|value| scene.as_asked(e.label, value));
+            key.eom = e.eom.map(|value| Scene::as_told(e.label, value));
+            key.energy = e.energy.map(|value| Scene::as_told(e.label, value));
             key.gap = e.gap();
             // A page works out none.
             key.cond = Some(e.cond).filter(|cond| !cond.is_nan());

@@ -591,6 +591,15 @@ impl Scene {
     pub fn as_asked(&self, label: Label, value: f64) -> f64 {
         if self.is_magnitude(label) { value.abs() } else { value }
     }
+    /// A value of this as a road tells it: with its sign, but of the force between the rims of two wheels its size alone, for no word
+    /// says in which sense it counts.
+    pub fn as_told(label: Label, value: f64) -> f64 {
+        if matches!((label.quantity, label.of), (Quantity::RimForce, Owner::Tie(_))) {
+            value.abs()
+        } else {
+            value
+        }
+    }
     /// All coordinates: the lines, and the turns. A body of particles moves freely in the plane and has none.
     pub fn coordinates(&self) -> impl Iterator<Item = Coordinate> {
         self.bodies.iter().enumerate().flat_map(|(body, b)| {

@@ -393,7 +393,7 @@ pub fn sense_words<'w>(words: &'w Words, scene: &Scene, label: Label) -> Option<
     Some(make_key::sense_words(scene, label)?.map(|word| words.get(&format!("sheet.{word}"))))
 }
 
-/// How an answer is to be written, with this relative tolerance: `in N, signed or with up / down`.
+/// How an answer is to be written, with this relative tolerance: `in N, signed (positive: up) or with up / down`.
 fn form(
     words: &Words,
     problem: &Problem,

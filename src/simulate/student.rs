@@ -246,7 +246,8 @@ impl<'h> SimulatedStudent<'h> {
             memory.by_hand.push((figures, all));
         }
         let all = memory.by_hand.iter().find(|(f, _)| *f == figures).map(|(_, all)| all)?;
-        let si = all.iter().find(|h| h.label == label)?.value()?;
+        let scene = &part.problem.cases[part.variant.case].scene;
+        let si = scene.as_asked(label, all.iter().find(|h| h.label == label)?.value()?);
         let cell = WrittenCell::number(si, &part.entry().unit, figures);
         Some(Idea::new(TrueKind::RoundedOnTheWay, cell, Some(figures)))
     }
