@@ -298,6 +298,11 @@ impl Terms {
         let slides = |tie: usize| matches!(draft.scene.ties[tie], Tie::Slide { .. });
         let ties = self.reactions().into_iter().filter(|(tie, _)| !slides(*tie));
         let ties: Vec<Vec<(Coordinate, Factors)>> = ties.map(|(tie, _)| self.tied(tie)).collect();
+        // Where the spin of a body leads whose contact slips, no tie of its own says how it moves along.
+        let along = Coordinate { degree: Degree::Along, ..self.lead };
+        if self.parts[along.body].slips && along != self.lead && self.of(along).a.is_some() {
+            return None;
+        }
         let rate = |(c, share): &(Coordinate, Factors)| Some(share.times(self.of(*c).a?));
         let rows = ties.iter().map(|terms| terms.iter().filter_map(rate).collect()).collect();
         // The spin of a body whose contact slips is a freedom of its own.
