@@ -38,6 +38,13 @@ pub struct QuizAttempt {
     pub answers: Vec<QuizAnswer>,
 }
 
+impl QuizAttempt {
+    /// Was it never submitted?
+    pub fn is_open(&self) -> bool {
+        self.submitted.is_empty()
+    }
+}
+
 /// What was written to a question.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct QuizAnswer {

@@ -59,6 +59,7 @@ pub fn roster(bytes: &[u8]) -> Result<Vec<(String, String)>, Findings> {
             return;
         }
         let id = text(student);
+        let seen_as = composed(&id);
         let mut refuse = |what: String, hint: &str| {
             let odd = Finding::new("student", what).at(place(line), student + 1);
             findings.push(if hint.is_empty() { odd } else { odd.hint(hint) });
@@ -74,10 +75,10 @@ pub fn roster(bytes: &[u8]) -> Result<Vec<(String, String)>, Findings> {
             refuse(format!("`{}` has a control character", id.escape_debug()), "");
         } else if id.len() > 100 {
             refuse("the id is longer than 100 bytes".to_owned(), "");
-        } else if let Some(first) = seen.get(&composed(&id)) {
+        } else if let Some(first) = seen.get(&seen_as) {
             refuse(format!("`{id}` stands on lines {first} and {line}"), "keep one of them");
         } else {
-            seen.insert(composed(&id), line);
+            seen.insert(seen_as, line);
             all.push((id, name.map(text).unwrap_or_default()));
         }
     });

@@ -48,18 +48,15 @@ fn otherwise(text: &str) -> Option<Unit> {
         let name = piece.trim_end_matches(|c: char| !c.is_alphabetic());
         let mark = piece[name.len()..].starts_with(['^', '*', '-', '⁻', '\u{2212}', '²', '³']);
         let meant = match name {
-            "kn" => Some("knot".to_owned()),
+            "kn" => Some("knot"),
             name if ["lb", "lbs", "pound", "pounds"].iter().any(|p| p.eq_ignore_ascii_case(name)) => {
-                Some("lbf".to_owned())
+                Some("lbf")
             }
-            name if mark => {
-                let written = TOGETHER.iter().find(|(together, _)| *together == name);
-                written.map(|(_, apart)| (*apart).to_owned())
-            }
+            name if mark => TOGETHER.iter().find(|(together, _)| *together == name).map(|(_, apart)| *apart),
             _ => None,
         };
         changed |= meant.is_some();
-        other.push_str(meant.as_deref().unwrap_or(name));
+        other.push_str(meant.unwrap_or(name));
         other.push_str(&piece[name.len()..]);
     }
     if changed { Unit::parse(&other).ok() } else { None }

@@ -439,7 +439,7 @@ fn asked(quiz: &Quiz, rows: &[QuizRow], takers: &Takers, policy: &Policy) -> Ask
     let most = policy.attempts.at_most.map_or(usize::MAX, |n| n as usize);
     let in_order = |(key, mut all): (StudentPart, Vec<Answered>)| {
         // Where one was submitted, those that never were count for nothing.
-        let is_open = |attempt: usize| quiz.attempts[attempt].submitted.is_empty();
+        let is_open = |attempt: usize| quiz.attempts[attempt].is_open();
         if all.iter().any(|(attempt, _, answered)| *answered && !is_open(*attempt)) {
             all.retain(|(attempt, ..)| !is_open(*attempt));
         }
@@ -516,7 +516,7 @@ fn told(quiz: &Quiz, rows: &[QuizRow], takers: &Takers, unknown: &BTreeMap<&str,
         add(format!("look at: not on the roster of the set: {}", some(&takers.strangers)));
     }
     let typed = |a: &QuizAttempt| a.answers.iter().any(is_typed);
-    let open = quiz.attempts.iter().filter(|a| a.submitted.is_empty() && typed(a)).count();
+    let open = quiz.attempts.iter().filter(|a| a.is_open() && typed(a)).count();
     if open > 0 {
         add(format!("never submitted, and judged all the same: {}", terminal::count(open, "attempt")));
     }

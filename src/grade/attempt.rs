@@ -288,7 +288,7 @@ mod tests {
         sorted[i].key.1
     }
 
-    /// Of more attempts than are kept in order one in the middle counted.
+    /// Of more attempts than are kept in order one in the middle counted once, though it is the last that the student went on with.
     #[test]
     fn of_many_attempts_that_earn_nothing_the_last_counts() {
         let attempts = Attempts { counts: Counts::Best, ..Attempts::default() };

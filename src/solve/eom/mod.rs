@@ -1087,10 +1087,10 @@ impl<'a, T: Real> Walk<'a, T> {
             self.say(Quantity::Normal, Owner::Body(b), normal);
             self.hold(|walk| Held::Pressed(b, walk.n.publish(Quantity::Normal, normal).f64()));
         }
+        let pulls = places.last().map_or(&[][..], |pulls| pulls);
         for (t, tie) in self.scene.ties.iter().enumerate() {
             // What slides may share its friction with others and still need some.
             if let Tie::Slide { body, mu_s, mu_k } = tie {
-                let pulls = places.last().map_or(&[][..], |pulls| pulls);
                 let needed = self.needed(t).into_iter().chain(self.to_stay(t, pulls));
                 if let Some(needed) = needed.reduce(T::larger) {
                     let available = self.n.get(mu_s.unwrap_or(*mu_k)) * self.response.normal(*body);
@@ -1121,8 +1121,8 @@ impl<'a, T: Real> Walk<'a, T> {
                 Tie::Roll { body, mu_s, .. } => {
                     let most = forces.iter().map(|f| f.abs()).reduce(T::larger).unwrap_or_else(T::zero);
                     let normal = self.response.normal(*body);
-                    if self.scene.bodies[*body].line.is_some_and(|l| l.surface) {
-                        let pulls = places.last().map_or(&[][..], |pulls| pulls);
+                    let surface = self.scene.bodies[*body].line.is_some_and(|l| l.surface);
+                    if surface && self.asks(&[Quantity::MuRequired]) {
                         let forces = self.friction_scale(&self.response, *body, most, pulls);
                         // Beside nothing but the rounding of its terms it is measured by them.
                         let nothing = most.size() <= 8.0 * U * forces;
